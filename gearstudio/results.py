@@ -1,0 +1,85 @@
+"""What a method made of a member, as plain records that travel between processes."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gearstudio.nurbs import NurbsSurface
+
+Floats = NDArray[np.float64]
+CurveKind = Literal["position", "section", "guide", "u_line", "v_line", "points"]
+
+
+@dataclass(frozen=True)
+class ConstructionCurve:
+    """A curve (or, for kind ``points``, a cloud) that the method built its surface from; points (n, 3)."""
+
+    kind: CurveKind
+    points: Floats
+
+
+@dataclass(frozen=True)
+class Statistics:
+    """Summary of signed deviations [µm].
+
+    ``max_um``, ``mean_um`` and ``rms_um`` are of absolute values; ``lowest_um`` and ``highest_um`` are
+    the signed extremes.
+    """
+
+    max_um: float
+    mean_um: float
+    rms_um: float
+    lowest_um: float
+    highest_um: float
+
+
+@dataclass(frozen=True)
+class FlankResult:
+    """One flank of one tooth as a method made it, and how far it is from theory.
+
+    Attributes
+    ----------
+    flank : {"concave", "convex"}
+    surface : NurbsSurface
+        u root to tip, v toe to heel; its natural bounds are the edges of the working flank.
+    points : ndarray, shape (n_u, n_v, 3)
+        Where the deviation was taken.
+    deviation_um : ndarray, shape (n_u, n_v)
+        Signed, normal, positive where metal is added.
+    statistics : Statistics
+    edge_um : float
+        Farthest that the surface's four edges lie from the edges of the theoretical flank.
+    curves : tuple of ConstructionCurve
+    """
+
+    flank: str
+    surface: NurbsSurface
+    points: Floats
+    deviation_um: Floats
+    statistics: Statistics
+    edge_um: float
+    curves: tuple[ConstructionCurve, ...] = ()
+
+
+@dataclass(frozen=True)
+class VariantResult:
+    """Both flanks of one member by one variant of one method.
+
+    ``settings`` says what the construction took, in words and numbers (positions, sections, grid, ...);
+    ``poles`` and ``degree`` are those of the heavier flank; ``seconds`` is the building alone.
+    """
+
+    member: str
+    method: str
+    variant: str
+    flanks: Mapping[str, FlankResult]
+    statistics: Statistics
+    poles: tuple[int, int]
+    degree: tuple[int, int]
+    seconds: float
+    settings: Mapping[str, Any] = field(default_factory=dict)

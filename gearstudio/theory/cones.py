@@ -1,0 +1,247 @@
+"""Pitch, base, face and root cones of both members (theory 2), and everything else a tooth is made from."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from gearstudio.design import Design
+from gearstudio.theory.lengthwise import Lengthwise
+
+Floats = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class ConeLimit:
+    """A cone about the gear axis that bounds a tooth; its apex need not be the gear's.
+
+    Attributes
+    ----------
+    angle : float
+        Half angle [rad].
+    offset : float
+        Signed distance of its elements from the gear's apex, in the axial plane [mm]; 0 for a common apex.
+    pitch_angle : float
+        Of the member [rad]: the back and front cones stand square to its pitch element.
+    """
+
+    angle: float
+    offset: float
+    pitch_angle: float
+
+    def at_sphere(self, rho: ArrayLike) -> Floats:
+        """Polar angle [rad] of the cone at distance rho from the apex, delta_tip(rho) of theory 2."""
+        return np.asarray(self.angle + np.arcsin(self.offset / np.asarray(rho, dtype=np.float64)))
+
+    def at_back_cone(self, rho_u: ArrayLike) -> Floats:
+        """Polar angle [rad] where the cone meets the back cone rho cos(delta_k - delta) = rho_u (theory 6)."""
+        lean = self.angle - self.pitch_angle
+        height = self.offset / np.cos(lean) + np.asarray(rho_u, dtype=np.float64) * np.tan(lean)
+        return np.asarray(self.pitch_angle + np.arctan2(height, rho_u))
+
+
+@dataclass(frozen=True)
+class MemberGeometry:
+    """One member's geometry [mm, rad]; symbols of theory 1."""
+
+    name: str
+    teeth: int
+    hand: int
+    module: float
+    pitch_angle: float
+    base_angle: float
+    transverse_pressure_angle: float
+    gamma: float
+    outer_cone_distance: float
+    face_width: float
+    addendum: float
+    dedendum: float
+    half_tooth_azimuth: float
+    fillet_radius: float
+    lengthwise: Lengthwise
+    tip_limit: ConeLimit
+    root_limit: ConeLimit
+    ends: str
+
+    @property
+    def tip_angle(self) -> float:
+        """Face cone angle delta_a [rad]."""
+        return self.tip_limit.angle
+
+    @property
+    def root_angle(self) -> float:
+        """Root cone angle delta_f [rad]."""
+        return self.root_limit.angle
+
+    @property
+    def base_limit(self) -> ConeLimit:
+        """The base cone as a limit of the flank."""
+        return ConeLimit(self.base_angle, 0.0, self.pitch_angle)
+
+    @property
+    def inner_cone_distance(self) -> float:
+        """R - B, at the toe [mm]."""
+        return self.outer_cone_distance - self.face_width
+
+    @property
+    def mean_cone_distance(self) -> float:
+        """R_m = R - B/2 [mm]."""
+        return self.outer_cone_distance - self.face_width / 2
+
+    @property
+    def base_radius(self) -> float:
+        """R_b = R sin(delta_b) [mm]."""
+        return self.outer_cone_distance * float(np.sin(self.base_angle))
+
+    @property
+    def fillet_angle(self) -> float:
+        """Angular radius of the fillet that was asked for, R_f / R [rad] (theory 6)."""
+        return self.fillet_radius / self.outer_cone_distance
+
+    @property
+    def pitch(self) -> float:
+        """Angular pitch 2 pi / z [rad]."""
+        return 2 * np.pi / self.teeth
+
+    def limit_angle(self, limit: ConeLimit, rho_u: ArrayLike) -> Floats:
+        """Polar angle of a limit at a tooth end, by the kind of ends this member has [rad]."""
+        return limit.at_sphere(rho_u) if self.ends == "sphere" else limit.at_back_cone(rho_u)
+
+    def cone_distance(self, rho_u: ArrayLike, polar_angle: ArrayLike) -> Floats:
+        """Distance from the apex of the point of an end surface at a polar angle [mm] (theory 6)."""
+        rho_u, polar_angle = np.asarray(rho_u, dtype=np.float64), np.asarray(polar_angle, dtype=np.float64)
+        if self.ends == "sphere":
+            return np.broadcast_to(rho_u, np.broadcast_shapes(rho_u.shape, polar_angle.shape))
+        return np.asarray(rho_u / np.cos(polar_angle - self.pitch_angle))
+
+
+@dataclass(frozen=True)
+class PairGeometry:
+    """Both members of a pair and what they share."""
+
+    pinion: MemberGeometry
+    wheel: MemberGeometry
+    shaft_angle: float
+    normal_pressure_angle: float
+    mean_spiral_angle: float
+    mean_normal_module: float
+
+    def member(self, name: str) -> MemberGeometry:
+        """The member called ``"pinion"`` or ``"wheel"``."""
+        return {"pinion": self.pinion, "wheel": self.wheel}[name]
+
+
+def pitch_angles(pinion_teeth: int, wheel_teeth: int, shaft_angle: float) -> tuple[float, float]:
+    """Pitch cone angles of pinion and wheel [rad] (theory 2)."""
+    pinion = float(np.arctan2(np.sin(shaft_angle), wheel_teeth / pinion_teeth + np.cos(shaft_angle)))
+    return pinion, shaft_angle - pinion
+
+
+def outer_cone_distance(design: Design) -> float:
+    """R [mm] of a design: m z_1 / (2 sin delta_1)."""
+    pair = design.pair
+    delta, _ = pitch_angles(pair.pinion_teeth, pair.wheel_teeth, np.radians(pair.shaft_angle_deg))
+    return pair.outer_module * pair.pinion_teeth / (2 * float(np.sin(delta)))
+
+
+def face_width(design: Design) -> float:
+    """B [mm] of a design: its own value, or the factor times R."""
+    given = design.pair.face_width
+    return given if given is not None else design.pair.face_width_factor * outer_cone_distance(design)
+
+
+@dataclass(frozen=True)
+class _Angles:
+    """Transverse pressure angle, mean spiral angle and base angles, which depend on each other."""
+
+    transverse: float
+    mean_spiral: float
+    base: tuple[float, float]
+
+
+def pair_geometry(design: Design) -> PairGeometry:
+    """Derive both members from a design (theory 2, 4, 5).
+
+    Raises
+    ------
+    GeometryError
+        The lengthwise curve does not exist over the face width.
+    """
+    pair, tooth = design.pair, design.tooth
+    shaft_angle = float(np.radians(pair.shaft_angle_deg))
+    deltas = pitch_angles(pair.pinion_teeth, pair.wheel_teeth, shaft_angle)
+    outer, width = outer_cone_distance(design), face_width(design)
+    mean = outer - width / 2
+    angles = _pressure_and_spiral(design, deltas, outer, width)
+    normal_module = pair.outer_module * mean / outer * float(np.cos(angles.mean_spiral))
+    shifts = (tooth.profile_shift, -tooth.profile_shift)
+    addenda = [pair.outer_module * (tooth.addendum_factor + x) for x in shifts]
+    dedenda = [pair.outer_module * (tooth.addendum_factor + tooth.clearance_factor - x) for x in shifts]
+    roots = [delta - float(np.arctan(h / outer)) for delta, h in zip(deltas, dedenda, strict=True)]
+    pinion_hand = 1 if pair.pinion_hand == "right" else -1
+
+    def member(index: int) -> MemberGeometry:
+        delta, teeth = deltas[index], (pair.pinion_teeth, pair.wheel_teeth)[index]
+        hand = pinion_hand if index == 0 else -pinion_hand
+        thickness = (np.pi / 2 + 2 * shifts[index] * np.tan(angles.transverse)) / teeth
+        base = angles.base[index]
+        return MemberGeometry(
+            name=("pinion", "wheel")[index],
+            teeth=teeth,
+            hand=hand,
+            module=pair.outer_module,
+            pitch_angle=delta,
+            base_angle=base,
+            transverse_pressure_angle=angles.transverse,
+            gamma=float(np.arccos(np.cos(delta) / np.cos(base))),
+            outer_cone_distance=outer,
+            face_width=width,
+            addendum=addenda[index],
+            dedendum=dedenda[index],
+            half_tooth_azimuth=float(thickness - tooth.backlash / (2 * pair.outer_module * teeth)),
+            fillet_radius=tooth.fillet_factor * normal_module,
+            lengthwise=Lengthwise(
+                design.lengthwise.curve, mean, angles.mean_spiral, delta, hand, design.lengthwise.cutter_radius
+            ),
+            tip_limit=_tip_limit(tooth.tip_cone, delta, outer, addenda[index], deltas[1 - index] - roots[1 - index]),
+            root_limit=ConeLimit(roots[index], 0.0, delta),
+            ends=tooth.ends,
+        )
+
+    transverse = angles.transverse
+    normal = float(np.arctan(np.tan(transverse) * np.cos(angles.mean_spiral)))
+    return PairGeometry(member(0), member(1), shaft_angle, normal, angles.mean_spiral, normal_module)
+
+
+def _pressure_and_spiral(design: Design, deltas: tuple[float, float], outer: float, width: float) -> _Angles:
+    """Resolve the angles that are given in different places; at the toe the spiral angle needs the base cone.
+
+    The toe angle is that of the pinion's base cone (both members share the one on the pitch cone).
+    With a normal pressure angle the base cone depends in turn on the mean spiral angle: tan(beta_m) =
+    tan(beta_0) R_m / (R - B) sin(delta) / sin(delta_b), and sin(delta)/sin(delta_b) = 1/cos(alpha),
+    so both members agree and the loop closes on sin^2(beta_m) in one quadratic.
+    """
+    given = float(np.radians(design.pair.pressure_angle_deg))
+    spiral = float(np.radians(design.lengthwise.spiral_angle_deg))
+    normal = design.pair.pressure_angle_kind == "normal"
+    if design.lengthwise.spiral_angle_at == "toe":
+        reach = np.tan(spiral) * (outer - width / 2) / (outer - width)
+        if normal:
+            # 1/cos^2(alpha) = 1 + tan^2(alpha_n)/cos^2(beta_m) and 1/cos^2(beta_m) = 1 + tan^2(beta_m)
+            square = reach**2 * (1 + np.tan(given) ** 2) / (1 - (reach * np.tan(given)) ** 2)
+            spiral = float(np.arctan(np.sqrt(square)))
+        else:
+            spiral = float(np.arctan(reach / np.cos(given)))
+    transverse = float(np.arctan(np.tan(given) / np.cos(spiral))) if normal else given
+    base = [float(np.arcsin(np.sin(delta) * np.cos(transverse))) for delta in deltas]
+    return _Angles(transverse, spiral, (base[0], base[1]))
+
+
+def _tip_limit(kind: str, delta: float, outer: float, addendum: float, mate_dedendum_angle: float) -> ConeLimit:
+    if kind == "common_apex":
+        return ConeLimit(delta + float(np.arctan(addendum / outer)), 0.0, delta)
+    angle = delta + mate_dedendum_angle
+    crown = np.hypot(outer, addendum)
+    return ConeLimit(angle, float(crown * np.sin(delta + np.arctan(addendum / outer) - angle)), delta)

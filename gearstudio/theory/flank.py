@@ -1,0 +1,219 @@
+"""The theoretical flank: points, normals, derivatives and the deviation of points from it (theory 5)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal, Protocol
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from gearstudio.theory.cones import MemberGeometry
+from gearstudio.theory.involute import (
+    azimuth_from_arc,
+    involute_azimuth,
+    polar_angle,
+    roll_arc,
+    start_azimuth,
+    tangent_plane,
+)
+
+Floats = NDArray[np.float64]
+FlankName = Literal["concave", "convex"]
+FLANKS: tuple[FlankName, FlankName] = ("concave", "convex")
+
+_ITERATE_ABOVE = 1e-6
+_FOOT_POINT_STEPS = 4
+
+
+class Flank(Protocol):
+    """What a flank is to methods, analysis and views, whatever curve it comes from.
+
+    u in [0, 1] runs from the root (or base cone) to the tip, v in [0, 1] from toe to heel; the unit square
+    is the working flank, and the map is analytic a little beyond it.
+    """
+
+    @property
+    def name(self) -> FlankName: ...
+    @property
+    def member(self) -> MemberGeometry: ...
+    def points(self, u: ArrayLike, v: ArrayLike) -> Floats: ...
+    def normals(self, u: ArrayLike, v: ArrayLike) -> Floats: ...
+    def limits(self, v: ArrayLike) -> tuple[Floats, Floats]: ...
+    def deviation(self, points: ArrayLike) -> Floats: ...
+
+
+@dataclass(frozen=True)
+class InvoluteFlank:
+    """A flank swept by the spherical involute; natural coordinates are (psi, rho).
+
+    Attributes
+    ----------
+    member : MemberGeometry
+    side : {+1, -1}
+        The flank at larger or smaller azimuth of the tooth centred at azimuth 0.
+    """
+
+    member: MemberGeometry
+    side: int
+
+    @property
+    def name(self) -> FlankName:
+        """``concave`` where side equals hand (theory 4)."""
+        return "concave" if self.side == self.member.hand else "convex"
+
+    def limits(self, v: ArrayLike) -> tuple[Floats, Floats]:
+        """Polar angles of the working flank's lower and upper edge at places v along the face, (...) each [rad]."""
+        m = self.member
+        rho_u = self._end_distance(v)
+        base = m.limit_angle(m.base_limit, rho_u)
+        lower = np.maximum(m.limit_angle(m.root_limit, rho_u), base)
+        return lower, m.limit_angle(m.tip_limit, rho_u)
+
+    def coordinates(self, u: ArrayLike, v: ArrayLike) -> tuple[Floats, Floats]:
+        """psi [rad] and rho [mm] at (u, v); psi is linear in u, in which the flank is analytic."""
+        u, v = np.broadcast_arrays(np.asarray(u, dtype=np.float64), np.asarray(v, dtype=np.float64))
+        low, high = (roll_arc(limit, self.member.base_angle) for limit in self.limits(v))
+        psi = low + u * (high - low)
+        return psi, self.member.cone_distance(self._end_distance(v), polar_angle(psi, self.member.base_angle))
+
+    def points(self, u: ArrayLike, v: ArrayLike) -> Floats:
+        """Points of the working flank, shape (..., 3) [mm]."""
+        return self.at(*self.coordinates(u, v))
+
+    def normals(self, u: ArrayLike, v: ArrayLike) -> Floats:
+        """Unit normals pointing out of the tooth's metal, shape (..., 3)."""
+        return self.normals_at(*self.coordinates(u, v))
+
+    def points_at(self, rho: ArrayLike, polar_angle: ArrayLike) -> Floats:
+        """Points at cone distance rho [mm] and polar angle delta_k [rad], shape (..., 3).
+
+        Raises
+        ------
+        GeometryError
+            A polar angle lies inside the base cone.
+        """
+        return self.at(roll_arc(polar_angle, self.member.base_angle), rho)
+
+    def at(self, psi: ArrayLike, rho: ArrayLike) -> Floats:
+        """Points at natural coordinates, shape (..., 3): rho [cos(psi) e_t(a) + side sin(psi) e_phi(a)] (theory 5.1)."""
+        psi, rho = np.broadcast_arrays(np.asarray(psi, dtype=np.float64), np.asarray(rho, dtype=np.float64))
+        along, across, _ = tangent_plane(self.member.base_angle, self.contact_azimuth(psi, rho))
+        return rho[..., None] * (np.cos(psi)[..., None] * along + self.side * np.sin(psi)[..., None] * across)
+
+    def contact_azimuth(self, psi: ArrayLike, rho: ArrayLike) -> Floats:
+        """Azimuth a [rad] of the rolling plane's line of contact when it makes the point (psi, rho)."""
+        roll = np.asarray(psi, dtype=np.float64) / np.sin(self.member.base_angle)
+        return np.asarray(start_azimuth(self.member, self.side, rho) - self.side * roll)
+
+    def derivatives_at(self, psi: ArrayLike, rho: ArrayLike) -> tuple[Floats, Floats, Floats, Floats, Floats]:
+        """First and second derivatives by the natural coordinates.
+
+        Returns
+        -------
+        X_psi, X_rho, X_psi_psi, X_psi_rho, X_rho_rho : ndarray, shape (..., 3)
+
+        Notes
+        -----
+        With K the unit vector of `at` and e_n the normal of the rolling plane,
+        K_psi = sin(psi) cot(delta_b) e_n: the flank's point moves square to the plane that generates it.
+        """
+        psi, rho = np.broadcast_arrays(np.asarray(psi, dtype=np.float64), np.asarray(rho, dtype=np.float64))
+        sin_b, cot_b = np.sin(self.member.base_angle), 1 / np.tan(self.member.base_angle)
+        along, across, normal = tangent_plane(self.member.base_angle, self.contact_azimuth(psi, rho))
+        sin_psi, cos_psi, r = np.sin(psi)[..., None], np.cos(psi)[..., None], rho[..., None]
+        unit = cos_psi * along + self.side * sin_psi * across
+        unit_psi = sin_psi * cot_b * normal
+        cos_b = cot_b * sin_b
+        unit_psi_psi = cot_b * (cos_psi * normal - self.side * sin_psi * (cos_b / sin_b) * across)
+        _, first, second = (x[..., None] for x in self.member.lengthwise.azimuth_derivatives(rho))
+        turned, turned_psi, turned_twice = _quarter(unit), _quarter(unit_psi), _quarter(_quarter(unit))
+        return (
+            r * unit_psi,
+            unit + r * first * turned,
+            r * unit_psi_psi,
+            unit_psi + r * first * turned_psi,
+            2 * first * turned + r * (second * turned + first**2 * turned_twice),
+        )
+
+    def normals_at(self, psi: ArrayLike, rho: ArrayLike) -> Floats:
+        """Unit normals out of the metal at natural coordinates; regular on the base cone too, shape (..., 3)."""
+        psi, rho = np.broadcast_arrays(np.asarray(psi, dtype=np.float64), np.asarray(rho, dtype=np.float64))
+        _, lengthwise, *_ = self.derivatives_at(psi, rho)
+        _, _, plane = tangent_plane(self.member.base_angle, self.contact_azimuth(psi, rho))
+        normal = self.side * np.cross(lengthwise, plane)
+        return np.asarray(normal / np.linalg.norm(normal, axis=-1, keepdims=True))
+
+    def locate(self, points: ArrayLike) -> tuple[Floats, Floats, Floats]:
+        """Spherical coordinates rho [mm], delta_k [rad], phi [rad] of points, shape (...) each (theory 1)."""
+        x, y, z = np.moveaxis(np.asarray(points, dtype=np.float64), -1, 0)
+        radius = np.hypot(x, y)
+        return np.hypot(radius, z), np.arctan2(radius, z), np.arctan2(y, x)
+
+    def deviation(self, points: ArrayLike) -> Floats:
+        """Signed normal distance of points from the flank, positive where metal is added.
+
+        Parameters
+        ----------
+        points : array_like, shape (..., 3)
+            Near this flank of the tooth centred at azimuth 0 [mm].
+
+        Returns
+        -------
+        ndarray, shape (...)
+            e [mm]. Below the base cone the flank continues along its meridian (theory 6).
+
+        Notes
+        -----
+        theory.md section 5: the difference in azimuth times the lever, exact to second order; where it
+        exceeds a millionth of the cone distance the foot point is iterated.
+        """
+        points = np.asarray(points, dtype=np.float64)
+        rho, delta, phi = self.locate(points)
+        error = self._azimuth_deviation(rho, delta, phi)
+        far = np.abs(error) > _ITERATE_ABOVE * rho
+        if np.any(far):
+            error = np.array(error)
+            error[far] = self._foot_point_deviation(points[far], error[far])
+        return error
+
+    def _azimuth_deviation(self, rho: Floats, delta: Floats, phi: Floats) -> Floats:
+        m = self.member
+        above = np.maximum(delta, m.base_angle)
+        psi = roll_arc(above, m.base_angle)
+        flank_phi = start_azimuth(m, self.side, rho) - self.side * azimuth_from_arc(psi, m.base_angle)
+        difference = np.remainder(phi - flank_phi + np.pi, 2 * np.pi) - np.pi
+        # sin(delta_k) beta'(delta_k) = sqrt(sin^2 delta_k / sin^2 delta_b - 1)
+        profile = (np.sin(above) / np.sin(m.base_angle)) ** 2 - 1
+        spiral = (np.sin(delta) * rho * m.lengthwise.azimuth_slope(rho)) ** 2
+        return np.asarray(self.side * difference * rho * np.sin(delta) / np.sqrt(1 + profile + spiral))
+
+    def _foot_point_deviation(self, points: Floats, start: Floats) -> Floats:
+        rho, delta, _ = self.locate(points)
+        psi = roll_arc(np.maximum(delta, self.member.base_angle), self.member.base_angle)
+        for _ in range(_FOOT_POINT_STEPS):
+            normal = self.normals_at(psi, rho)
+            gap = np.sum((points - self.at(psi, rho)) * normal, axis=-1)
+            rho, delta, _ = self.locate(points - gap[..., None] * normal)
+            psi = roll_arc(np.maximum(delta, self.member.base_angle), self.member.base_angle)
+        return np.where(delta < self.member.base_angle, start, gap)
+
+    def _end_distance(self, v: ArrayLike) -> Floats:
+        return np.asarray(self.member.inner_cone_distance + np.asarray(v, dtype=np.float64) * self.member.face_width)
+
+    def azimuth(self, rho: ArrayLike, polar_angle: ArrayLike) -> Floats:
+        """phi(rho, delta_k) of theory 5 [rad]."""
+        return np.asarray(
+            start_azimuth(self.member, self.side, rho)
+            - self.side * involute_azimuth(polar_angle, self.member.base_angle)
+        )
+
+
+def involute_flank(member: MemberGeometry, name: FlankName) -> InvoluteFlank:
+    """The concave or convex flank of a member's tooth (theory 4: concave is side = hand)."""
+    return InvoluteFlank(member, member.hand if name == "concave" else -member.hand)
+
+
+def _quarter(vectors: Floats) -> Floats:
+    """z x vectors: turned by a quarter about the axis, the axial part dropped."""
+    return np.stack([-vectors[..., 1], vectors[..., 0], np.zeros_like(vectors[..., 0])], axis=-1)

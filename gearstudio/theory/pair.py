@@ -1,0 +1,64 @@
+"""The pair in mesh: placing, contact ratios, limits (theory 8)."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from gearstudio.theory.cones import MemberGeometry, PairGeometry
+from gearstudio.theory.involute import involute_azimuth
+
+Floats = NDArray[np.float64]
+
+
+def about_axis(angle: float) -> Floats:
+    """Rotation matrix about z, shape (3, 3)."""
+    c, s = np.cos(angle), np.sin(angle)
+    return np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
+
+
+def pinion_placement(pair: PairGeometry, pinion_turn: float = 0.0) -> Floats:
+    """Matrix that takes pinion points to the world frame, R_y(Sigma) R_z(pi) R_z(phi_1), shape (3, 3).
+
+    The wheel's axis is the world's +z; a pinion tooth stands in the common pitch plane at turn 0.
+    """
+    c, s = np.cos(pair.shaft_angle), np.sin(pair.shaft_angle)
+    tilt = np.array([[c, 0.0, s], [0.0, 1.0, 0.0], [-s, 0.0, c]])
+    return tilt @ about_axis(np.pi + pinion_turn)
+
+
+def wheel_placement(pair: PairGeometry, pinion_turn: float = 0.0) -> Floats:
+    """Matrix that takes wheel points to the world frame: phi_2 = -phi_1 z_1/z_2, a space facing the pinion tooth."""
+    ratio = pair.pinion.teeth / pair.wheel.teeth
+    return about_axis(np.pi / pair.wheel.teeth - pinion_turn * ratio)
+
+
+def transverse_contact_ratio(pair: PairGeometry) -> float:
+    """epsilon_alpha on the heel sphere (theory 8)."""
+    path = sum(tip_arc(m) - m.gamma for m in (pair.pinion, pair.wheel))
+    return float(path * pair.pinion.teeth / (2 * np.pi * np.sin(pair.pinion.base_angle)))
+
+
+def overlap_ratio(pair: PairGeometry) -> float:
+    """epsilon_beta (theory 8)."""
+    wheel = pair.wheel
+    theta = wheel.lengthwise.azimuth([wheel.inner_cone_distance, wheel.outer_cone_distance])
+    return float(abs(theta[1] - theta[0]) / wheel.pitch)
+
+
+def tip_arc(member: MemberGeometry) -> float:
+    """arccos(cos delta_a / cos delta_b): rolled arc at which the heel's tip is reached [rad]."""
+    tip = float(member.tip_limit.at_sphere(member.outer_cone_distance))
+    return float(np.arccos(np.clip(np.cos(tip) / np.cos(member.base_angle), -1.0, 1.0)))
+
+
+def interference(pair: PairGeometry, member: MemberGeometry) -> float:
+    """How far the tip of a member passes the mate's base cone, as arc [rad]; positive interferes (theory 8)."""
+    return tip_arc(member) - (pair.pinion.gamma + pair.wheel.gamma)
+
+
+def tip_half_azimuth(member: MemberGeometry, rho: ArrayLike) -> Floats:
+    """Half the tooth's azimuth at its tip at cone distances rho [rad]; not positive means pointed (theory 8)."""
+    pitch_beta = involute_azimuth(member.pitch_angle, member.base_angle)
+    tip_beta = involute_azimuth(member.tip_limit.at_sphere(rho), member.base_angle)
+    return np.asarray(member.half_tooth_azimuth + pitch_beta - tip_beta)
