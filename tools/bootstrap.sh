@@ -1,0 +1,130 @@
+#!/usr/bin/env bash
+# Makes this folder ready to run: a Python, the pinned packages in .venv, compiled bytecode, system libraries.
+# Usage: tools/bootstrap.sh run|dev|bench.  Set PYTHON to choose the interpreter. The second time it does nothing.
+set -eu
+cd "$(dirname "$0")/.."
+unset PYTHONDONTWRITEBYTECODE PYTHONHOME PYTHONPATH VIRTUAL_ENV
+
+kind=${1:-run}
+case $kind in
+    run) requirements=(requirements.txt) ;;
+    dev) requirements=(requirements.txt requirements-dev.txt) ;;
+    bench) requirements=(requirements.txt requirements-bench.txt) ;;
+    *) echo "usage: tools/bootstrap.sh run|dev|bench" >&2; exit 2 ;;
+esac
+python=.venv/bin/python
+
+say() { echo "==> $*"; }
+stop() { echo "gearstudio: $*" >&2; exit 1; }
+is_root() { [ "${GEARSTUDIO_NO_ROOT:-}" != 1 ] && [ "$(id -u)" = 0 ]; }
+
+apt_install() {
+    say "installing system packages: $*"
+    apt-get update -qq || say "the package lists could not be refreshed; trying with those at hand"
+    DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "$@" >/dev/null ||
+        stop "apt-get could not install them; try by hand: apt-get install $*"
+}
+
+# Installs Debian packages as root; otherwise says what to type and stops.
+need() {
+    local why=$1
+    shift
+    if ! command -v apt-get >/dev/null 2>&1; then
+        stop "$why. On Debian these packages have it: $*. Install what your system calls them, then run make again."
+    fi
+    is_root || stop "$why. Type this, then run make again:
+
+    sudo apt-get install --no-install-recommends $*
+"
+    apt_install "$@"
+}
+
+usable() { "$1" -c 'import sys; sys.exit(not sys.version_info >= (3, 11))' >/dev/null 2>&1; }
+has_venv() { "$1" -c 'import venv, ensurepip' >/dev/null 2>&1; }
+
+interpreters() {
+    [ -z "${PYTHON:-}" ] || { echo "$PYTHON"; return; }
+    printf '%s\n' python3.11 python3.12 python3.13 python3.14 python3 /usr/bin/python3
+    ls -d "${PYENV_ROOT:-$HOME/.pyenv}"/versions/3.1[1-4]*/bin/python3 2>/dev/null || true
+    ! command -v uv >/dev/null 2>&1 || uv python find '>=3.11' 2>/dev/null || true
+}
+
+# Sets `found` to the first Python 3.11 or later that can make environments.
+find_python() {
+    local candidate bare=
+    found=
+    for candidate in $(interpreters); do
+        usable "$candidate" || continue
+        if has_venv "$candidate"; then
+            found=$candidate
+            return 0
+        fi
+        bare=${bare:-$candidate}
+    done
+    [ -z "$bare" ] || missing_venv=python$("$bare" -c 'import sys; print("%d.%d" % sys.version_info[:2])')-venv
+    return 1
+}
+
+choose_python() {
+    local missing_venv=
+    find_python && return
+    [ -z "${PYTHON:-}" ] || [ -n "$missing_venv" ] || stop "PYTHON=$PYTHON is not a Python 3.11 or later"
+    if [ -n "$missing_venv" ]; then
+        need "this Python cannot make environments" "$missing_venv"
+    elif [ "$(uname)" = Darwin ]; then
+        stop "Python 3.11 or later is needed. Type this, then run make again:
+
+    brew install python@3.12
+"
+    else
+        need "Python 3.11 or later is needed" python3 python3-venv
+    fi
+    find_python || stop "this system's Python is older than 3.11. Install a later one, for example with pyenv:
+
+    pyenv install 3.12
+
+then run make again."
+}
+
+checksum() {
+    cat "${requirements[@]}" tools/bootstrap.sh | cksum | tr ' ' -
+}
+
+make_environment() {
+    if [ -e .venv ] && ! usable $python; then
+        say "removing an environment that does not work any more"
+        rm -rf .venv
+    fi
+    if [ ! -e .venv ]; then
+        choose_python
+        say "making .venv with $("$found" --version)"
+        "$found" -m venv .venv
+    fi
+}
+
+install_packages() {
+    local file=${requirements[${#requirements[@]} - 1]}
+    say "installing the pinned packages of $file into .venv (once, some minutes)"
+    $python -m pip install --quiet --disable-pip-version-check --no-input --no-compile -r "$file" ||
+        stop "the packages could not be installed; see above (a network is needed this once)"
+    say "compiling bytecode"
+    $python -m compileall -q -j 0 .venv/lib >/dev/null 2>&1 || true
+}
+
+system_libraries() {
+    [ "$(uname)" = Linux ] || return 0
+    local screen= missing
+    if [ "$kind" != run ] || [ -z "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ]; then screen=--screen; fi
+    missing=$($python tools/system_libraries.py $screen)
+    # shellcheck disable=SC2086 # one word each
+    [ -z "$missing" ] || need "the window needs some system libraries" $missing
+}
+
+make_environment
+system_libraries
+stamp=.venv/installed-$kind
+if [ "$(cat $stamp 2>/dev/null)" != "$(checksum)" ]; then
+    install_packages
+    checksum >$stamp
+fi
+$python -m compileall -q gearstudio ui main.py || true
