@@ -20,7 +20,7 @@ test: lint unit
 
 lint:
 	@bash tools/bootstrap.sh dev
-	$(PY) -c "from importlinter.cli import lint_imports_command; lint_imports_command()"
+	$(PY) -c "from importlinter.cli import lint_imports_command; lint_imports_command(['--no-logo'])"
 	$(PY) -m ruff check .
 	$(PY) -m ruff format --check .
 	$(PY) -m mypy

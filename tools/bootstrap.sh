@@ -105,7 +105,7 @@ make_environment() {
 install_packages() {
     local file=${requirements[${#requirements[@]} - 1]}
     say "installing the pinned packages of $file into .venv (once, some minutes)"
-    $python -m pip install --quiet --disable-pip-version-check --no-input --no-compile -r "$file" ||
+    $python -m pip install -qq --disable-pip-version-check --no-input --no-compile -r "$file" ||
         stop "the packages could not be installed; see above (a network is needed this once)"
     say "compiling bytecode"
     $python -m compileall -q -j 0 .venv/lib >/dev/null 2>&1 || true
