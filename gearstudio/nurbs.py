@@ -79,6 +79,16 @@ class NurbsSurface:
         scale = bu @ self.weights @ bv.T
         return np.asarray(homogeneous / scale[..., None])
 
+    def points(self, u: ArrayLike, v: ArrayLike) -> Floats:
+        """Points at pairs of parameters of like shape (...), shape (..., 3)."""
+        u, v = np.broadcast_arrays(np.asarray(u, dtype=np.float64), np.asarray(v, dtype=np.float64))
+        bu = basis_matrix(u.ravel(), self.knots_u, self.degree_u)
+        bv = basis_matrix(v.ravel(), self.knots_v, self.degree_v)
+        weights = np.ones(self.poles.shape[:2]) if self.weights is None else self.weights
+        rows = np.einsum("ai,ijk->ajk", bu, np.concatenate([self.poles * weights[..., None], weights[..., None]], -1))
+        homogeneous = np.einsum("ajk,aj->ak", rows, bv)
+        return np.asarray(homogeneous[:, :3] / homogeneous[:, 3:]).reshape(*u.shape, 3)
+
     def uniform_grid(self, n_u: int, n_v: int) -> Floats:
         """Points at evenly spaced parameters, both ends included, shape (n_u, n_v, 3)."""
         u0, u1, v0, v1 = self.bounds

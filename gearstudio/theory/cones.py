@@ -116,6 +116,11 @@ class MemberGeometry:
             return np.broadcast_to(rho_u, np.broadcast_shapes(rho_u.shape, polar_angle.shape))
         return np.asarray(rho_u / np.cos(polar_angle - self.pitch_angle))
 
+    def end_distance(self, rho: ArrayLike, polar_angle: ArrayLike) -> Floats:
+        """rho_u [mm] of the end surface through a point; the inverse of `cone_distance`."""
+        rho, polar_angle = np.asarray(rho, dtype=np.float64), np.asarray(polar_angle, dtype=np.float64)
+        return rho if self.ends == "sphere" else np.asarray(rho * np.cos(polar_angle - self.pitch_angle))
+
 
 @dataclass(frozen=True)
 class PairGeometry:

@@ -81,6 +81,18 @@ class InvoluteFlank:
         """Points of the working flank, shape (..., 3) [mm]."""
         return self.at(*self.coordinates(u, v))
 
+    def evenly_divided(self, n_u: int, n_v: int) -> Floats:
+        """Points of the working flank at evenly spaced polar angles and places along the face, (n_u, n_v, 3)."""
+        v = np.linspace(0.0, 1.0, n_v)
+        lower, upper = self.limits(v)
+        delta = lower + np.linspace(0.0, 1.0, n_u)[:, None] * (upper - lower)
+        return self.points_at(self.member.cone_distance(self._end_distance(v), delta), delta)
+
+    def trace(self, v: ArrayLike) -> Floats:
+        """Points of the tooth trace, where the flank meets the pitch cone, shape (..., 3)."""
+        rho = self._end_distance(v)
+        return self.points_at(rho, np.full_like(rho, self.member.pitch_angle))
+
     def normals(self, u: ArrayLike, v: ArrayLike) -> Floats:
         """Unit normals pointing out of the tooth's metal, shape (..., 3)."""
         return self.normals_at(*self.coordinates(u, v))

@@ -1,0 +1,1 @@
+"""Arrays in, arrays out: deviations and what will be read from them."""

@@ -1,0 +1,78 @@
+"""Build a variant of a method on both flanks of a member and measure it."""
+
+from __future__ import annotations
+
+import time
+
+from gearstudio.analysis.deviation import deviation_map, edge_deviation, statistics
+from gearstudio.design import Design
+from gearstudio.errors import GeometryError, ModellingError
+from gearstudio.methods import Construction, Target, method
+from gearstudio.methods.base import Variant
+from gearstudio.results import FlankResult, VariantResult
+from gearstudio.theory.cones import pair_geometry
+from gearstudio.theory.flank import FLANKS, InvoluteFlank, involute_flank
+
+DEFAULT_SAMPLES = (61, 61)
+
+
+def build_variant(
+    design: Design, member: str, method_id: str, variant: Variant, samples: tuple[int, int] = DEFAULT_SAMPLES
+) -> VariantResult:
+    """Model both flanks of one tooth and compare them with theory.
+
+    Parameters
+    ----------
+    design : Design
+    member : {"pinion", "wheel"}
+    method_id, variant : str
+        Of interface.md.
+    samples : (int, int)
+        Points along and across each flank at which the deviation is taken.
+
+    Raises
+    ------
+    ModellingError
+        The kernel could not make a flank, or the tolerance was not reached.
+    """
+    geometry = pair_geometry(design).member(member)
+    target = Target.for_cone_distance(
+        design.methods.tolerance_um, geometry.outer_cone_distance, design.methods.point_cloud_degree
+    )
+    started = time.perf_counter()
+    flanks = [involute_flank(geometry, name) for name in FLANKS]
+    built = [(flank, _build(flank, method_id, variant, target)) for flank in flanks]
+    seconds = time.perf_counter() - started
+    results = {flank.name: _measure(flank, construction, samples) for flank, construction in built}
+    heaviest = max((c for _, c in built), key=lambda c: c.surface.poles.size)
+    return VariantResult(
+        member=member,
+        method=method_id,
+        variant=variant,
+        flanks=results,
+        statistics=statistics(result.deviation_um for result in results.values()),
+        poles=heaviest.surface.poles.shape[:2],
+        degree=(heaviest.surface.degree_u, heaviest.surface.degree_v),
+        seconds=seconds,
+        settings=heaviest.settings,
+    )
+
+
+def _build(flank: InvoluteFlank, method_id: str, variant: Variant, target: Target) -> Construction:
+    try:
+        return method(method_id).build(flank, variant, target)
+    except GeometryError as error:
+        raise ModellingError(method_id, f"{variant} {flank.name} flank", str(error)) from error
+
+
+def _measure(flank: InvoluteFlank, construction: Construction, samples: tuple[int, int]) -> FlankResult:
+    points, deviation_um = deviation_map(flank, construction.surface, samples)
+    return FlankResult(
+        flank=flank.name,
+        surface=construction.surface,
+        points=points,
+        deviation_um=deviation_um,
+        statistics=statistics([deviation_um]),
+        edge_um=edge_deviation(flank, points) * 1e3,
+        curves=construction.curves,
+    )

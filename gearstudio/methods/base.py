@@ -1,0 +1,149 @@
+"""What a method is, what it hands over, and how an optimised variant refines itself."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from typing import Any, Literal, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gearstudio.errors import ModellingError
+from gearstudio.nurbs import NurbsSurface
+from gearstudio.results import ConstructionCurve
+from gearstudio.theory.flank import InvoluteFlank
+
+Floats = NDArray[np.float64]
+Variant = Literal["published", "optimised"]
+VARIANTS: tuple[Variant, Variant] = ("published", "optimised")
+
+SAFETY = 0.5
+"""Part of the tolerance that a refinement aims at: it looks between its nodes, not everywhere."""
+_MAX_ROUNDS = 14
+_MAX_COUNT = 600
+_LARGE_CONE_DISTANCE = 250.0
+
+
+@dataclass(frozen=True)
+class Target:
+    """What an optimised variant has to reach.
+
+    Attributes
+    ----------
+    tolerance : float
+        Largest deviation wanted [mm].
+    point_cloud_degree : int
+        Degree of the NURBS reconstruction.
+    """
+
+    tolerance: float
+    point_cloud_degree: int = 3
+
+    @staticmethod
+    def for_cone_distance(tolerance_um: float, cone_distance: float, point_cloud_degree: int = 3) -> Target:
+        """The tolerance as given, in proportion beyond an outer cone distance of 250 mm."""
+        scale = max(1.0, cone_distance / _LARGE_CONE_DISTANCE)
+        return Target(tolerance_um * 1e-3 * scale, point_cloud_degree)
+
+
+@dataclass(frozen=True)
+class Construction:
+    """A flank as a method made it: the surface over [0, 1]², what it was made from, what it took."""
+
+    surface: NurbsSurface
+    curves: tuple[ConstructionCurve, ...] = ()
+    settings: Mapping[str, Any] = field(default_factory=dict)
+
+
+class Method(Protocol):
+    """One way to model a flank."""
+
+    @property
+    def id(self) -> str:
+        """Name in files, on the command line and in JSON."""
+        ...
+
+    @property
+    def title(self) -> str: ...
+
+    @property
+    def paper_section(self) -> str: ...
+
+    def build(self, flank: InvoluteFlank, variant: Variant, target: Target) -> Construction:
+        """Model a flank.
+
+        Raises
+        ------
+        ModellingError
+            The kernel could not, or the tolerance was not reached.
+        """
+        ...
+
+
+def between(nodes: Floats) -> Floats:
+    """Places between neighbouring nodes where an interpolation is looked at: three in each gap."""
+    gaps = np.diff(nodes)
+    return np.asarray((nodes[:-1, None] + gaps[:, None] * np.array([0.25, 0.5, 0.75])).ravel())
+
+
+def node_errors(flank: InvoluteFlank, surface: NurbsSurface, u: Floats, v: Floats) -> tuple[float, float]:
+    """Largest deviation between nodes of one direction along the node lines of the other, for u and v [mm]."""
+    across = np.abs(flank.deviation(surface.grid(between(u), v))).max()
+    along = np.abs(flank.deviation(surface.grid(u, between(v)))).max()
+    return float(across), float(along)
+
+
+@dataclass
+class Refinement:
+    """Grows counts of nodes until the errors that they cause are below a goal.
+
+    Attributes
+    ----------
+    method : str
+        For messages.
+    goal : float
+        [mm], for the sum of the errors.
+    orders : tuple of int
+        Power by which each error falls with its count.
+    """
+
+    method: str
+    goal: float
+    orders: tuple[int, ...]
+
+    def run(
+        self,
+        counts: tuple[int, ...],
+        attempt: Callable[[tuple[int, ...]], tuple[Construction, tuple[float, ...]]],
+    ) -> Construction:
+        """Call ``attempt(counts) -> (construction, errors)`` with growing counts; return the first good one.
+
+        Raises
+        ------
+        ModellingError
+            The goal was not met with the largest counts allowed.
+        """
+        errors: tuple[float, ...] = ()
+        for _ in range(_MAX_ROUNDS):
+            construction, errors = attempt(counts)
+            if sum(errors) <= self.goal:
+                return construction
+            grown = tuple(self._grown(*x) for x in zip(counts, errors, self.orders, strict=True))
+            if grown == counts or max(grown) > _MAX_COUNT:
+                break
+            counts = grown
+        reached = ", ".join(f"{error * 1e3:.3g}" for error in errors)
+        raise ModellingError(
+            self.method,
+            "refinement",
+            f"{self.goal / SAFETY * 1e3:.3g} µm was not reached (got {reached} µm with {counts}); "
+            "raise methods.tolerance_um",
+        )
+
+    def _grown(self, count: int, error: float, order: int) -> int:
+        share = self.goal / len(self.orders)
+        if error <= share:
+            return count
+        factor = float(np.clip(1.05 * (error / share) ** (1 / order), 1.15, 2.5))
+        return int(np.ceil(count * factor))

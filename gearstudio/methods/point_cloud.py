@@ -1,0 +1,71 @@
+"""Method 3: a NURBS surface from the discrete point cloud (paper section 5, theory 7)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gearstudio.kernel.surfaces import interpolated_points, oriented, reconstructed
+from gearstudio.methods.base import SAFETY, Construction, Refinement, Target, Variant, node_errors
+from gearstudio.results import ConstructionCurve
+from gearstudio.theory.flank import InvoluteFlank
+
+Floats = NDArray[np.float64]
+
+PUBLISHED_GRID = (7, 7)
+FIRST_GRID = (12, 14)
+_END_DENSITY = 0.6
+
+
+@dataclass(frozen=True)
+class PointCloud:
+    """``published``: 7 x 7 points, evenly divided, and the kernel's own interpolation.
+
+    ``optimised``: tensor-product reconstruction over the parameters (psi, rho), in which the flank is
+    analytic, from a 12 x 14 grid that is denser toward the edges and grows where the tolerance asks.
+    """
+
+    id: str = "point_cloud"
+    title: str = "Point cloud"
+    paper_section: str = "section 5"
+
+    def build(self, flank: InvoluteFlank, variant: Variant, target: Target) -> Construction:
+        """See `Method.build`."""
+        return self._published(flank) if variant == "published" else self._optimised(flank, target)
+
+    def _published(self, flank: InvoluteFlank) -> Construction:
+        rows, cols = PUBLISHED_GRID
+        points = flank.evenly_divided(cols, rows)
+        corners = points[np.ix_([0, -1], [0, -1])]
+        surface = oriented(interpolated_points(points), corners)
+        return Construction(surface, _cloud(points), {"grid": [cols, rows], "spacing": "even", "parameters": "kernel"})
+
+    def _optimised(self, flank: InvoluteFlank, target: Target) -> Construction:
+        degree = target.point_cloud_degree
+
+        def attempt(counts: tuple[int, ...]) -> tuple[Construction, tuple[float, ...]]:
+            u, v = (denser_to_the_ends(max(n, degree + 1)) for n in counts)
+            points = flank.points(u[:, None], v[None, :])
+            surface = reconstructed(u, v, points, degree)
+            settings = {"grid": [len(u), len(v)], "spacing": "non-uniform", "parameters": "psi, rho"}
+            return Construction(surface, _cloud(points), settings), node_errors(flank, surface, u, v)
+
+        goal = SAFETY * target.tolerance
+        return Refinement(self.id, goal, (degree + 1, degree + 1)).run(FIRST_GRID, attempt)
+
+
+def denser_to_the_ends(count: int) -> Floats:
+    """Places in [0, 1], between evenly spaced and cosine spaced, shape (count,)."""
+    even = np.linspace(0.0, 1.0, count)
+    return np.asarray((1 - _END_DENSITY) * even + _END_DENSITY * (1 - np.cos(np.pi * even)) / 2)
+
+
+def _cloud(points: Floats) -> tuple[ConstructionCurve, ...]:
+    u_lines = [ConstructionCurve("u_line", points[:, j]) for j in range(points.shape[1])]
+    v_lines = [ConstructionCurve("v_line", points[i]) for i in range(points.shape[0])]
+    return ConstructionCurve("points", points.reshape(-1, 3)), *u_lines, *v_lines
+
+
+POINT_CLOUD = PointCloud()

@@ -1,0 +1,84 @@
+"""Method 2: sweeping the tooth profile from heel to toe along the tooth trace (paper section 4)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gearstudio.kernel.surfaces import Curve, curve_through, oriented, pipe, skin
+from gearstudio.methods.base import SAFETY, Construction, Refinement, Target, Variant, node_errors
+from gearstudio.results import ConstructionCurve
+from gearstudio.theory.flank import InvoluteFlank
+
+Floats = NDArray[np.float64]
+
+_CURVE_DEGREE = 5
+_PUBLISHED_POINTS = 15
+_SPINE_POINTS = 31
+_FIRST_POINTS = 11
+_FIRST_SECTIONS = 7
+_DRAWN_POINTS = 60
+_GUIDE_PLACES = (0.0, 0.5, 1.0)
+_SKIN_SHARE = 0.02
+_PIPE_TOLERANCE = 1e-8
+
+
+@dataclass(frozen=True)
+class ProfileSweep:
+    """``published``: heel and toe profile joined by a pipe along the tooth trace.
+
+    ``optimised``: a skin through a string of interpolated sections, as many as it takes for the skin to
+    follow the exact guide curves (root, middle and tip of the flank) between the sections.
+    """
+
+    id: str = "profile_sweep"
+    title: str = "Profile sweep"
+    paper_section: str = "section 4"
+
+    def build(self, flank: InvoluteFlank, variant: Variant, target: Target) -> Construction:
+        """See `Method.build`."""
+        return self._published(flank) if variant == "published" else self._optimised(flank, target)
+
+    def _published(self, flank: InvoluteFlank) -> Construction:
+        profiles = [_section(flank, v, _PUBLISHED_POINTS) for v in (1.0, 0.0)]
+        places = np.linspace(0.0, 1.0, _SPINE_POINTS)
+        trace = flank.trace(1.0 - places)
+        spine = curve_through(places, trace, _CURVE_DEGREE)
+        swept = pipe(profiles, spine, _PIPE_TOLERANCE * flank.member.outer_cone_distance)
+        surface = oriented(swept, flank.points([[0.0], [1.0]], [[0.0, 1.0]]))
+        curves = (*_drawn_sections(flank, np.array([0.0, 1.0])), ConstructionCurve("guide", trace))
+        return Construction(surface, curves, {"sections": 2, "guides": 1, "sweep": "pipe along the tooth trace"})
+
+    def _optimised(self, flank: InvoluteFlank, target: Target) -> Construction:
+        def attempt(counts: tuple[int, ...]) -> tuple[Construction, tuple[float, ...]]:
+            points, sections = counts
+            v = np.linspace(0.0, 1.0, sections)
+            skinned = skin([_section(flank, place, points) for place in v], _SKIN_SHARE * target.tolerance)
+            surface = oriented(skinned, flank.points([[0.0], [1.0]], [[0.0, 1.0]]))
+            curves = (*_drawn_sections(flank, v), *_drawn_guides(flank))
+            settings = {"sections": sections, "points": points, "guides": len(_GUIDE_PLACES), "sweep": "skin"}
+            construction = Construction(surface, curves, settings)
+            return construction, node_errors(flank, surface, np.linspace(0.0, 1.0, points), v)
+
+        goal = SAFETY * target.tolerance
+        return Refinement(self.id, goal, (_CURVE_DEGREE + 1, 7)).run((_FIRST_POINTS, _FIRST_SECTIONS), attempt)
+
+
+def _section(flank: InvoluteFlank, v: float, points: int) -> Curve:
+    u = np.linspace(0.0, 1.0, points)
+    return curve_through(u, flank.points(u, v), _CURVE_DEGREE)
+
+
+def _drawn_sections(flank: InvoluteFlank, v: Floats) -> tuple[ConstructionCurve, ...]:
+    u = np.linspace(0.0, 1.0, _DRAWN_POINTS)
+    return tuple(ConstructionCurve("section", flank.points(u, place)) for place in v)
+
+
+def _drawn_guides(flank: InvoluteFlank) -> tuple[ConstructionCurve, ...]:
+    v = np.linspace(0.0, 1.0, _DRAWN_POINTS)
+    return tuple(ConstructionCurve("guide", flank.points(place, v)) for place in _GUIDE_PLACES)
+
+
+PROFILE_SWEEP = ProfileSweep()
