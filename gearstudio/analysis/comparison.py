@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import time
 
-from gearstudio.analysis.deviation import deviation_map, edge_deviation, statistics
+from gearstudio.analysis.deviation import deviation_map, statistics
+from gearstudio.catalogue import Variant
 from gearstudio.design import Design
 from gearstudio.errors import GeometryError, ModellingError
 from gearstudio.methods import Construction, Target, method
-from gearstudio.methods.base import Variant
 from gearstudio.results import FlankResult, VariantResult
 from gearstudio.theory.cones import pair_geometry
 from gearstudio.theory.flank import FLANKS, InvoluteFlank, involute_flank
@@ -43,7 +43,9 @@ def build_variant(
     flanks = [involute_flank(geometry, name) for name in FLANKS]
     built = [(flank, _build(flank, method_id, variant, target)) for flank in flanks]
     seconds = time.perf_counter() - started
-    results = {flank.name: _measure(flank, construction, samples) for flank, construction in built}
+    results: dict[str, FlankResult] = {
+        flank.name: _measure(flank, construction, samples) for flank, construction in built
+    }
     heaviest = max((c for _, c in built), key=lambda c: c.surface.poles.size)
     return VariantResult(
         member=member,
@@ -73,6 +75,6 @@ def _measure(flank: InvoluteFlank, construction: Construction, samples: tuple[in
         points=points,
         deviation_um=deviation_um,
         statistics=statistics([deviation_um]),
-        edge_um=edge_deviation(flank, points) * 1e3,
+        edge_um=flank.edge_deviation(points) * 1e3,
         curves=construction.curves,
     )

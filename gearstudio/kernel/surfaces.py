@@ -126,7 +126,7 @@ def interpolated_points(points: Floats) -> NurbsSurface:
 
 
 def reconstructed(u: Floats, v: Floats, points: Floats, degree: int) -> NurbsSurface:
-    """The tensor-product B-spline of a degree that takes points (n_u, n_v, 3) at given parameters in both directions."""
+    """The tensor-product B-spline of a degree that takes points (n_u, n_v, 3) at given (u, v)."""
     along_u = make_interp_spline(u, points, k=min(degree, len(u) - 1))
     along_v = make_interp_spline(v, along_u.c.transpose(1, 0, 2), k=min(degree, len(v) - 1))
     record = NurbsSurface(along_v.c.transpose(1, 0, 2), along_u.t, along_v.t, along_u.k, along_v.k)
@@ -170,7 +170,7 @@ def _all_turns(s: NurbsSurface) -> list[NurbsSurface]:
 
 
 def _flipped(knots: Floats) -> Floats:
-    return (knots[0] + knots[-1] - knots)[::-1]
+    return np.asarray((knots[0] + knots[-1] - knots)[::-1])
 
 
 def _unit_domain(s: NurbsSurface) -> NurbsSurface:

@@ -4,19 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from typing import Any, Literal, Protocol
+from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
+from gearstudio.catalogue import MethodInfo, Variant
 from gearstudio.errors import ModellingError
 from gearstudio.nurbs import NurbsSurface
 from gearstudio.results import ConstructionCurve
 from gearstudio.theory.flank import InvoluteFlank
 
 Floats = NDArray[np.float64]
-Variant = Literal["published", "optimised"]
-VARIANTS: tuple[Variant, Variant] = ("published", "optimised")
 
 SAFETY = 0.5
 """Part of the tolerance that a refinement aims at: it looks between its nodes, not everywhere."""
@@ -60,15 +59,9 @@ class Method(Protocol):
     """One way to model a flank."""
 
     @property
-    def id(self) -> str:
-        """Name in files, on the command line and in JSON."""
+    def info(self) -> MethodInfo:
+        """What it is called."""
         ...
-
-    @property
-    def title(self) -> str: ...
-
-    @property
-    def paper_section(self) -> str: ...
 
     def build(self, flank: InvoluteFlank, variant: Variant, target: Target) -> Construction:
         """Model a flank.
@@ -88,10 +81,14 @@ def between(nodes: Floats) -> Floats:
 
 
 def node_errors(flank: InvoluteFlank, surface: NurbsSurface, u: Floats, v: Floats) -> tuple[float, float]:
-    """Largest deviation between nodes of one direction along the node lines of the other, for u and v [mm]."""
-    across = np.abs(flank.deviation(surface.grid(between(u), v))).max()
-    along = np.abs(flank.deviation(surface.grid(u, between(v)))).max()
-    return float(across), float(along)
+    """What the nodes of each direction cost, for u and v [mm].
+
+    The larger of the deviation and of the distance of the edges from the flank's, taken between the nodes
+    of one direction along the node lines of the other.
+    """
+    across, along = surface.grid(np.r_[0.0, between(u), 1.0], v), surface.grid(u, np.r_[0.0, between(v), 1.0])
+    errors = [max(np.abs(flank.deviation(grid)).max(), flank.edge_deviation(grid)) for grid in (across, along)]
+    return float(errors[0]), float(errors[1])
 
 
 @dataclass

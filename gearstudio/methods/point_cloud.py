@@ -7,8 +7,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from gearstudio import catalogue
+from gearstudio.catalogue import MethodInfo, Variant
 from gearstudio.kernel.surfaces import interpolated_points, oriented, reconstructed
-from gearstudio.methods.base import SAFETY, Construction, Refinement, Target, Variant, node_errors
+from gearstudio.methods.base import SAFETY, Construction, Refinement, Target, node_errors
 from gearstudio.results import ConstructionCurve
 from gearstudio.theory.flank import InvoluteFlank
 
@@ -27,9 +29,7 @@ class PointCloud:
     analytic, from a 12 x 14 grid that is denser toward the edges and grows where the tolerance asks.
     """
 
-    id: str = "point_cloud"
-    title: str = "Point cloud"
-    paper_section: str = "section 5"
+    info: MethodInfo = catalogue.POINT_CLOUD
 
     def build(self, flank: InvoluteFlank, variant: Variant, target: Target) -> Construction:
         """See `Method.build`."""
@@ -53,7 +53,7 @@ class PointCloud:
             return Construction(surface, _cloud(points), settings), node_errors(flank, surface, u, v)
 
         goal = SAFETY * target.tolerance
-        return Refinement(self.id, goal, (degree + 1, degree + 1)).run(FIRST_GRID, attempt)
+        return Refinement(self.info.id, goal, (degree + 1, degree + 1)).run(FIRST_GRID, attempt)
 
 
 def denser_to_the_ends(count: int) -> Floats:
@@ -66,6 +66,3 @@ def _cloud(points: Floats) -> tuple[ConstructionCurve, ...]:
     u_lines = [ConstructionCurve("u_line", points[:, j]) for j in range(points.shape[1])]
     v_lines = [ConstructionCurve("v_line", points[i]) for i in range(points.shape[0])]
     return ConstructionCurve("points", points.reshape(-1, 3)), *u_lines, *v_lines
-
-
-POINT_CLOUD = PointCloud()

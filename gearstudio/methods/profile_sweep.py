@@ -7,8 +7,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from gearstudio import catalogue
+from gearstudio.catalogue import MethodInfo, Variant
 from gearstudio.kernel.surfaces import Curve, curve_through, oriented, pipe, skin
-from gearstudio.methods.base import SAFETY, Construction, Refinement, Target, Variant, node_errors
+from gearstudio.methods.base import SAFETY, Construction, Refinement, Target, node_errors
 from gearstudio.results import ConstructionCurve
 from gearstudio.theory.flank import InvoluteFlank
 
@@ -33,9 +35,7 @@ class ProfileSweep:
     follow the exact guide curves (root, middle and tip of the flank) between the sections.
     """
 
-    id: str = "profile_sweep"
-    title: str = "Profile sweep"
-    paper_section: str = "section 4"
+    info: MethodInfo = catalogue.PROFILE_SWEEP
 
     def build(self, flank: InvoluteFlank, variant: Variant, target: Target) -> Construction:
         """See `Method.build`."""
@@ -63,7 +63,7 @@ class ProfileSweep:
             return construction, node_errors(flank, surface, np.linspace(0.0, 1.0, points), v)
 
         goal = SAFETY * target.tolerance
-        return Refinement(self.id, goal, (_CURVE_DEGREE + 1, 7)).run((_FIRST_POINTS, _FIRST_SECTIONS), attempt)
+        return Refinement(self.info.id, goal, (_CURVE_DEGREE + 1, 7)).run((_FIRST_POINTS, _FIRST_SECTIONS), attempt)
 
 
 def _section(flank: InvoluteFlank, v: float, points: int) -> Curve:
@@ -79,6 +79,3 @@ def _drawn_sections(flank: InvoluteFlank, v: Floats) -> tuple[ConstructionCurve,
 def _drawn_guides(flank: InvoluteFlank) -> tuple[ConstructionCurve, ...]:
     v = np.linspace(0.0, 1.0, _DRAWN_POINTS)
     return tuple(ConstructionCurve("guide", flank.points(place, v)) for place in _GUIDE_PLACES)
-
-
-PROFILE_SWEEP = ProfileSweep()

@@ -7,8 +7,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from gearstudio import catalogue
+from gearstudio.catalogue import MethodInfo, Variant
 from gearstudio.kernel.surfaces import curve_through, reconstructed, skin
-from gearstudio.methods.base import SAFETY, Construction, Refinement, Target, Variant, between, node_errors
+from gearstudio.methods.base import SAFETY, Construction, Refinement, Target, between, node_errors
 from gearstudio.nurbs import NurbsSurface
 from gearstudio.results import ConstructionCurve
 from gearstudio.theory.flank import InvoluteFlank
@@ -70,9 +72,7 @@ class RotatingLine:
     edges are the limits of the flank, and no part of the patch beyond the cuspidal edge remains.
     """
 
-    id: str = "rotating_line"
-    title: str = "Rotating line"
-    paper_section: str = "section 3"
+    info: MethodInfo = catalogue.ROTATING_LINE
 
     def build(self, flank: InvoluteFlank, variant: Variant, target: Target) -> Construction:
         """See `Method.build`."""
@@ -89,7 +89,7 @@ class RotatingLine:
             return Construction(surface, positions.curves, settings), node_errors(flank, surface, u, v)
 
         goal = SAFETY * target.tolerance
-        return Refinement(self.id, goal, (_CURVE_DEGREE + 1,) * 2).run(_FIRST_CUT, attempt)
+        return Refinement(self.info.id, goal, (_CURVE_DEGREE + 1,) * 2).run(_FIRST_CUT, attempt)
 
     def _accurate_patch(self, flank: InvoluteFlank, target: Target) -> tuple[RolledPatch, Construction]:
         found: list[RolledPatch] = []
@@ -102,7 +102,9 @@ class RotatingLine:
             return Construction(patch.surface, line, settings), _patch_errors(patch, points, positions)
 
         goal = SAFETY * target.tolerance / 4
-        positions = Refinement(self.id, goal, (_CURVE_DEGREE + 1, 7)).run((_FIRST_POINTS, _FIRST_POSITIONS), attempt)
+        positions = Refinement(self.info.id, goal, (_CURVE_DEGREE + 1, 7)).run(
+            (_FIRST_POINTS, _FIRST_POSITIONS), attempt
+        )
         return found[0], positions
 
 
@@ -153,6 +155,3 @@ def _patch_errors(patch: RolledPatch, points: int, positions: int) -> tuple[floa
 
 def _cut(patch: RolledPatch, u: Floats, v: Floats) -> NurbsSurface:
     return reconstructed(u, v, patch.points(u[:, None], v[None, :]), _CURVE_DEGREE)
-
-
-ROTATING_LINE = RotatingLine()

@@ -41,6 +41,7 @@ class Flank(Protocol):
     def normals(self, u: ArrayLike, v: ArrayLike) -> Floats: ...
     def limits(self, v: ArrayLike) -> tuple[Floats, Floats]: ...
     def deviation(self, points: ArrayLike) -> Floats: ...
+    def edge_deviation(self, points: Floats) -> float: ...
 
 
 @dataclass(frozen=True)
@@ -108,10 +109,11 @@ class InvoluteFlank:
         return self.at(roll_arc(polar_angle, self.member.base_angle), rho)
 
     def at(self, psi: ArrayLike, rho: ArrayLike) -> Floats:
-        """Points at natural coordinates, shape (..., 3): rho [cos(psi) e_t(a) + side sin(psi) e_phi(a)] (theory 5.1)."""
+        """Points rho [cos(psi) e_t(a) + side sin(psi) e_phi(a)] at natural coordinates, shape (..., 3) (theory 5.1)."""
         psi, rho = np.broadcast_arrays(np.asarray(psi, dtype=np.float64), np.asarray(rho, dtype=np.float64))
         along, across, _ = tangent_plane(self.member.base_angle, self.contact_azimuth(psi, rho))
-        return rho[..., None] * (np.cos(psi)[..., None] * along + self.side * np.sin(psi)[..., None] * across)
+        unit = np.cos(psi)[..., None] * along + self.side * np.sin(psi)[..., None] * across
+        return np.asarray(rho[..., None] * unit)
 
     def contact_azimuth(self, psi: ArrayLike, rho: ArrayLike) -> Floats:
         """Azimuth a [rad] of the rolling plane's line of contact when it makes the point (psi, rho)."""
@@ -188,6 +190,25 @@ class InvoluteFlank:
             error = np.array(error)
             error[far] = self._foot_point_deviation(points[far], error[far])
         return error
+
+    def edge_deviation(self, points: Floats) -> float:
+        """Farthest that the border of a surface lies from the edges of the working flank [mm].
+
+        Parameters
+        ----------
+        points : ndarray, shape (n_u, n_v, 3)
+            On the surface, u root to tip, v toe to heel; only the border rows are looked at.
+
+        Notes
+        -----
+        Measured along the flank: polar angle times cone distance at root and tip, cone distance at toe and heel.
+        """
+        rho, delta, _ = self.locate(points)
+        place = (self.member.end_distance(rho, delta) - self.member.inner_cone_distance) / self.member.face_width
+        ends = max(np.abs(place[:, 0]).max(), np.abs(place[:, -1] - 1.0).max()) * self.member.face_width
+        root = np.abs(delta[0] - self.limits(place[0])[0]) * rho[0]
+        tip = np.abs(delta[-1] - self.limits(place[-1])[1]) * rho[-1]
+        return float(max(ends, root.max(), tip.max()))
 
     def _azimuth_deviation(self, rho: Floats, delta: Floats, phi: Floats) -> Floats:
         m = self.member

@@ -142,7 +142,8 @@ def generating_line(member: MemberGeometry, side: int, rho: ArrayLike, contact_a
     rho, a = np.broadcast_arrays(np.asarray(rho, dtype=np.float64), np.asarray(contact_azimuth, dtype=np.float64))
     psi = (start_azimuth(member, side, rho) - a) * np.sin(member.base_angle)
     along, across, _ = tangent_plane(member.base_angle, a)
-    return rho[..., None] * (np.cos(psi)[..., None] * along + np.sin(psi)[..., None] * across)
+    unit = np.cos(psi)[..., None] * along + np.sin(psi)[..., None] * across
+    return np.asarray(rho[..., None] * unit)
 
 
 def base_cone_spiral(member: MemberGeometry, side: int, rho: ArrayLike) -> Floats:
