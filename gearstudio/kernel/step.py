@@ -1,0 +1,116 @@
+"""STEP files (AP242, mm) with named faces, and their reading back."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import cache
+from pathlib import Path
+
+from OCP.BRep import BRep_Builder, BRep_Tool
+from OCP.BRepCheck import BRepCheck_Analyzer
+from OCP.collections import Sequence_TDF_Label
+from OCP.IFSelect import IFSelect_ReturnStatus
+from OCP.Interface import Interface_Static
+from OCP.Message import Message, Message_PrinterOStream
+from OCP.STEPCAFControl import STEPCAFControl_Controller, STEPCAFControl_Reader, STEPCAFControl_Writer
+from OCP.STEPControl import STEPControl_StepModelType
+from OCP.TCollection import TCollection_ExtendedString
+from OCP.TDataStd import TDataStd_Name
+from OCP.TDF import TDF_Label
+from OCP.TDocStd import TDocStd_Document
+from OCP.TopAbs import TopAbs_ShapeEnum
+from OCP.TopoDS import TopoDS, TopoDS_Compound
+from OCP.XCAFDoc import XCAFDoc_DocumentTool
+
+from gearstudio.errors import FileError
+from gearstudio.kernel.convert import to_face, to_record
+from gearstudio.nurbs import NurbsSurface
+
+_SCHEMA_AP242 = 5
+
+
+def write_flanks_step(path: Path, surfaces: Mapping[str, NurbsSurface], name: str) -> None:
+    """Write surfaces as named faces of one part.
+
+    Parameters
+    ----------
+    path : Path
+        Written in place; an existing file is overwritten.
+    surfaces : mapping of face name to NurbsSurface
+        [mm]
+    name : str
+        Of the part.
+
+    Raises
+    ------
+    FileError
+        The kernel could not write the file.
+    """
+    _settle()
+    document = TDocStd_Document(TCollection_ExtendedString("XmlXCAF"))
+    shapes = XCAFDoc_DocumentTool.ShapeTool_s(document.Main())
+    part, builder = TopoDS_Compound(), BRep_Builder()
+    builder.MakeCompound(part)
+    faces = {face_name: to_face(surface) for face_name, surface in surfaces.items()}
+    for face in faces.values():
+        builder.Add(part, face)
+    label = shapes.AddShape(part, False)
+    _name(label, name)
+    for face_name, face in faces.items():
+        _name(shapes.AddSubShape(label, face), face_name)
+    writer = STEPCAFControl_Writer()
+    writer.SetNameMode(True)
+    writer.Transfer(document, STEPControl_StepModelType.STEPControl_AsIs)
+    if writer.Write(str(path)) != IFSelect_ReturnStatus.IFSelect_RetDone:
+        raise FileError(path, "the CAD kernel could not write the STEP file")
+
+
+def read_flanks_step(path: Path) -> dict[str, NurbsSurface]:
+    """Read the named B-spline faces of a STEP file back [mm].
+
+    Raises
+    ------
+    FileError
+        Not a STEP file, or a face that is not valid or no B-spline.
+    """
+    _settle()
+    reader = STEPCAFControl_Reader()
+    reader.SetNameMode(True)
+    if reader.ReadFile(str(path)) != IFSelect_ReturnStatus.IFSelect_RetDone:
+        raise FileError(path, "the CAD kernel cannot read this as STEP")
+    document = TDocStd_Document(TCollection_ExtendedString("XmlXCAF"))
+    reader.Transfer(document)
+    shapes = XCAFDoc_DocumentTool.ShapeTool_s(document.Main())
+    roots = Sequence_TDF_Label()
+    shapes.GetFreeShapes(roots)
+    found: dict[str, NurbsSurface] = {}
+    for i in range(1, roots.Length() + 1):
+        parts = Sequence_TDF_Label()
+        shapes.GetSubShapes_s(roots.Value(i), parts)
+        for j in range(1, parts.Length() + 1):
+            shape = shapes.GetShape_s(parts.Value(j))
+            if shape.ShapeType() == TopAbs_ShapeEnum.TopAbs_FACE:
+                if not BRepCheck_Analyzer(shape).IsValid():
+                    raise FileError(path, f"face {_read_name(parts.Value(j))!r} is not valid after reading back")
+                found[_read_name(parts.Value(j))] = to_record(BRep_Tool.Surface_s(TopoDS.Face(shape)))
+    return found
+
+
+@cache
+def _settle() -> None:
+    """The kernel's process-wide settings for STEP, and no chatter on standard output."""
+    Message.DefaultMessenger_s().RemovePrinters(Message_PrinterOStream.get_type_descriptor_s())
+    STEPCAFControl_Controller.Init_s()
+    Interface_Static.SetIVal_s("write.step.schema", _SCHEMA_AP242)
+    Interface_Static.SetCVal_s("write.step.unit", "MM")
+    Interface_Static.SetIVal_s("write.stepcaf.subshapes.name", 1)
+    Interface_Static.SetIVal_s("read.stepcaf.subshapes.name", 1)
+
+
+def _name(label: TDF_Label, text: str) -> None:
+    TDataStd_Name.Set_s(label, TCollection_ExtendedString(text, True))
+
+
+def _read_name(label: TDF_Label) -> str:
+    attribute = TDataStd_Name()
+    return str(attribute.Get().ToExtString()) if label.FindAttribute(TDataStd_Name.GetID_s(), attribute) else ""

@@ -1,0 +1,202 @@
+"""The profile of the whole tooth on the unit sphere: root, fillet, flank, tip (theory 6).
+
+Everything is given for the half of the tooth at larger azimuth; the other half is its mirror image.
+A profile is self-similar: at every cone distance it is the same, turned by theta(rho).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from gearstudio.errors import GeometryError
+from gearstudio.theory.cones import MemberGeometry
+from gearstudio.theory.involute import azimuth_from_arc, involute_azimuth, polar_angle, roll_arc
+
+Floats = NDArray[np.float64]
+Segment = Literal["root", "fillet", "meridian", "flank", "tip"]
+
+_BISECTIONS = 200
+
+
+@dataclass(frozen=True)
+class Fillet:
+    """The circle on the unit sphere that joins flank and root.
+
+    Attributes
+    ----------
+    radius : float
+        Angular radius epsilon [rad].
+    centre_angle, centre_azimuth : float
+        delta_c, phi_c [rad].
+    foot_arc : float
+        psi [rad] where it touches the involute; 0 when it touches the meridian below.
+    foot_angle : float
+        Polar angle [rad] of that foot.
+    on_meridian : bool
+    full_round : bool
+        The fillets of a space would overlap, so the radius is the one at which they meet.
+    """
+
+    radius: float
+    centre_angle: float
+    centre_azimuth: float
+    foot_arc: float
+    foot_angle: float
+    on_meridian: bool
+    full_round: bool
+
+    def points(self, s: ArrayLike) -> Floats:
+        """Unit vectors along the fillet from the root (s = 0) to its foot (s = 1), shape (..., 3)."""
+        centre, outward, onward = _frame(self.centre_angle, self.centre_azimuth)
+        turn = np.asarray(s, dtype=np.float64)[..., None] * self.sweep
+        rim = -np.cos(turn) * outward - np.sin(turn) * onward
+        return np.asarray(np.cos(self.radius) * centre + np.sin(self.radius) * rim)
+
+    @property
+    def sweep(self) -> float:
+        """Angle of the arc about its centre [rad]."""
+        foot_azimuth = self._foot_azimuth
+        sin_foot = np.sin(self.foot_angle)
+        foot = np.array([sin_foot * np.cos(foot_azimuth), sin_foot * np.sin(foot_azimuth), np.cos(self.foot_angle)])
+        _, outward, onward = _frame(self.centre_angle, self.centre_azimuth)
+        return float(np.arctan2(-foot @ onward, -foot @ outward))
+
+    @property
+    def _foot_azimuth(self) -> float:
+        """From the right-angled spherical triangle of centre, foot and axis."""
+        if self.on_meridian:
+            return self.centre_azimuth - float(np.arcsin(np.sin(self.radius) / np.sin(self.centre_angle)))
+        cosine = (np.cos(self.radius) - np.cos(self.centre_angle) * np.cos(self.foot_angle)) / (
+            np.sin(self.centre_angle) * np.sin(self.foot_angle)
+        )
+        return self.centre_azimuth - float(np.arccos(np.clip(cosine, -1.0, 1.0)))
+
+
+@dataclass(frozen=True)
+class ToothProfile:
+    """The half profile of a member's tooth, as curves on the unit sphere."""
+
+    member: MemberGeometry
+    fillet: Fillet
+
+    @property
+    def segments(self) -> tuple[Segment, ...]:
+        """Names of the curves from the middle of the space to the middle of the tooth."""
+        names: list[Segment] = [] if self.fillet.full_round else ["root"]
+        names.append("fillet")
+        if self.fillet.on_meridian and self.fillet.foot_angle < self.member.base_angle:
+            names.append("meridian")
+        return (*names, "flank", "tip")
+
+    def angles(self, segment: Segment, s: ArrayLike, tip_angle: ArrayLike | None = None) -> tuple[Floats, Floats]:
+        """Polar angle and azimuth along a segment [rad], s from 0 at the root's side to 1.
+
+        Parameters
+        ----------
+        segment : str
+        s : array_like, shape (...)
+        tip_angle : array_like, optional
+            delta_tip where it depends on the place along the face; by default the face cone angle.
+        """
+        m, fillet = self.member, self.fillet
+        s = np.asarray(s, dtype=np.float64)
+        top = np.asarray(m.tip_angle if tip_angle is None else tip_angle, dtype=np.float64)
+        start = m.half_tooth_azimuth + involute_azimuth(m.pitch_angle, m.base_angle)
+        if segment == "root":
+            azimuth = m.pitch / 2 + s * (fillet.centre_azimuth - m.pitch / 2)
+            return np.full_like(s, m.root_angle), azimuth
+        if segment == "fillet":
+            x, y, z = np.moveaxis(fillet.points(s), -1, 0)
+            return np.arctan2(np.hypot(x, y), z), np.arctan2(y, x)
+        if segment == "meridian":
+            return fillet.foot_angle + s * (m.base_angle - fillet.foot_angle), np.full_like(s, start)
+        if segment == "flank":
+            psi = fillet.foot_arc + s * (roll_arc(top, m.base_angle) - fillet.foot_arc)
+            return polar_angle(psi, m.base_angle), start - azimuth_from_arc(psi, m.base_angle)
+        tip_azimuth = start - involute_azimuth(top, m.base_angle)
+        return np.broadcast_to(top, np.broadcast_shapes(top.shape, s.shape)), np.asarray((1 - s) * tip_azimuth)
+
+    def outline(self, v: float, samples: int = 16) -> Floats:
+        """Points of the whole profile at a place along the face, from space to space, shape (n, 3) [mm].
+
+        Parameters
+        ----------
+        v : float
+            0 at the toe, 1 at the heel.
+        samples : int
+            Points on each segment.
+        """
+        m = self.member
+        rho_u = m.inner_cone_distance + v * m.face_width
+        tip = m.limit_angle(m.tip_limit, rho_u)
+        s = np.linspace(0.0, 1.0, samples)
+        half = [self.angles(name, s, tip) for name in self.segments]
+        delta = np.concatenate([half[0][0][:1], *(part[0][1:] for part in half)])
+        phi = np.concatenate([half[0][1][:1], *(part[1][1:] for part in half)])
+        delta, phi = np.concatenate([delta, delta[-2::-1]]), np.concatenate([phi, -phi[-2::-1]])
+        rho = m.cone_distance(rho_u, delta)
+        azimuth = phi + m.lengthwise.azimuth(rho)
+        radius = rho * np.sin(delta)
+        return np.stack([radius * np.cos(azimuth), radius * np.sin(azimuth), rho * np.cos(delta)], axis=-1)
+
+
+def tooth_profile(member: MemberGeometry) -> ToothProfile:
+    """The profile of a member's tooth.
+
+    Raises
+    ------
+    GeometryError
+        Neighbouring flanks meet above the root: there is no tooth space.
+    """
+    return ToothProfile(member, fillet(member))
+
+
+def fillet(member: MemberGeometry) -> Fillet:
+    """The fillet of the radius asked for, or the full-round one where that does not fit (theory 6).
+
+    Raises
+    ------
+    GeometryError
+        As `tooth_profile`.
+    """
+    half_pitch = member.pitch / 2
+    wanted = _touching(member, member.fillet_angle, full_round=False)
+    if wanted.centre_azimuth <= half_pitch:
+        return wanted
+    low, high = 0.0, member.fillet_angle
+    if _touching(member, low, full_round=True).centre_azimuth >= half_pitch:
+        raise GeometryError(f"the flanks of neighbouring {member.name} teeth meet above the root cone")
+    for _ in range(_BISECTIONS):
+        middle = (low + high) / 2
+        if middle in (low, high):
+            break
+        fits = _touching(member, middle, full_round=True).centre_azimuth <= half_pitch
+        low, high = (middle, high) if fits else (low, middle)
+    return _touching(member, low, full_round=True)
+
+
+def _touching(member: MemberGeometry, radius: float, full_round: bool) -> Fillet:
+    """The circle of a radius that touches the root circle and the flank or the meridian below it."""
+    base = member.base_angle
+    centre = member.root_angle + radius
+    start = member.half_tooth_azimuth + float(involute_azimuth(member.pitch_angle, base))
+    arc = float(roll_arc(centre, base)) if centre >= base else 0.0
+    if centre >= base and arc >= radius:
+        azimuth = start - float(azimuth_from_arc(arc, base)) + radius / float(np.sin(base))
+        foot = arc - radius
+        return Fillet(radius, centre, azimuth, foot, float(polar_angle(foot, base)), False, full_round)
+    azimuth = start + float(np.arcsin(np.sin(radius) / np.sin(centre)))
+    foot_angle = float(np.arccos(np.clip(np.cos(centre) / np.cos(radius), -1.0, 1.0)))
+    return Fillet(radius, centre, azimuth, 0.0, foot_angle, True, full_round)
+
+
+def _frame(angle: float, azimuth: float) -> tuple[Floats, Floats, Floats]:
+    """A point of the unit sphere and the directions of growing polar angle and azimuth there."""
+    sin_d, cos_d, sin_a, cos_a = np.sin(angle), np.cos(angle), np.sin(azimuth), np.cos(azimuth)
+    point = np.array([sin_d * cos_a, sin_d * sin_a, cos_d])
+    outward = np.array([cos_d * cos_a, cos_d * sin_a, -sin_d])
+    return point, outward, np.array([-sin_a, cos_a, 0.0])
