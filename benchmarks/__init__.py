@@ -1,0 +1,1 @@
+"""The timed promises, measured side by side in one run: ``make bench``."""
