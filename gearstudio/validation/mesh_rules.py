@@ -2,18 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 import numpy as np
 
 from gearstudio.design import Design, field_value
+from gearstudio.theory.cones import MemberGeometry
 from gearstudio.theory.pair import interference, overlap_ratio, transverse_contact_ratio
-from gearstudio.validation.nearest import cure, round_toward
+from gearstudio.theory.profile import Fillet, fillet
+from gearstudio.validation.nearest import Cure, cure, round_toward
 from gearstudio.validation.rule import (
     ARC,
     BORES,
     DEPTH,
     PROFILE,
+    THICKNESS,
     TIP,
     Finding,
     Rule,
@@ -22,7 +25,7 @@ from gearstudio.validation.rule import (
     mate_of,
     members,
 )
-from gearstudio.validation.tooth_rules import TOOTHED
+from gearstudio.validation.tooth_rules import LEAST_FLANK_FACTOR, TOOTHED, tip_angles
 
 LEAST_WALL_FACTOR = 0.02
 
@@ -63,8 +66,70 @@ def _interference(design: Design) -> Iterator[Finding]:
         yield Finding(
             field,
             f"{field_value(design, field):.10g} lets the {name}'s tip reach below the {mate.name}'s base cone, where "
-            f"no conjugate flank is: the teeth interfere there; use {found.text or 'a larger pressure angle or more teeth'}",
+            "no conjugate flank is: the teeth interfere there; "
+            f"use {found.text or 'a larger pressure angle or more teeth'}",
         )
+
+
+def _full_round(design: Design) -> Iterator[Finding]:
+    for member in members(design):
+        made = fillet(member)
+        if made.full_round:
+            found = _fillet_cure(design, member.name, lambda _, fillet: not fillet.full_round)
+            yield Finding(
+                "tooth.fillet_factor",
+                f"{design.tooth.fillet_factor:.10g} makes the {member.name}'s fillets overlap: its root is rounded "
+                f"fully, with a radius of {made.radius * member.outer_cone_distance:.4g} mm instead of "
+                f"{member.fillet_radius:.4g} mm; use {found.text or 'a smaller one'} to keep a root land",
+            )
+
+
+def _leaves_flank(member: MemberGeometry, made: Fillet) -> bool:
+    least = LEAST_FLANK_FACTOR * member.module / member.outer_cone_distance
+    return bool(made.foot_angle + least <= np.min(tip_angles(member)))
+
+
+def _fillet_over_flank(design: Design) -> Iterator[Finding]:
+    for member in members(design):
+        if not _leaves_flank(member, fillet(member)):
+            found = _fillet_cure(design, member.name, _leaves_flank)
+            yield Finding(
+                "tooth.fillet_factor",
+                f"{design.tooth.fillet_factor:.10g} makes the {member.name}'s fillet reach its tip: no flank is left; "
+                f"use {found.text or 'a smaller fillet factor or deeper teeth'}",
+            )
+
+
+def _fillet_in_mesh(design: Design) -> Iterator[Finding]:
+    for member in members(design):
+        if not _clears_mate(design, member.name):
+            found = cure(
+                design,
+                lambda changed, name=member.name: _clears_mate(changed, name),  # type: ignore[misc]
+                [("tooth.fillet_factor", 0.01), ("tooth.clearance_factor", 1.0)],
+            )
+            yield Finding(
+                found.field or "tooth.fillet_factor",
+                f"{field_value(design, found.field or 'tooth.fillet_factor'):.10g} lets the {member.name}'s fillet "
+                f"reach into the flank that meets the mate's tip; use {found.text or 'a smaller fillet factor'}",
+            )
+
+
+def _clears_mate(design: Design, name: str) -> bool:
+    """Whether a member's fillet ends below the arc at which the mate's tip meets its flank (theory 8)."""
+    pair = geometry(design)
+    member = pair.member(name)
+    made = fillet(member)
+    past_base = interference(pair, mate_of(pair, member))
+    return made.on_meridian or past_base >= 0 or made.foot_arc <= -past_base
+
+
+def _fillet_cure(design: Design, name: str, holds: Callable[[MemberGeometry, Fillet], bool]) -> Cure:
+    def works(changed: Design) -> bool:
+        member = geometry(changed).member(name)
+        return holds(member, fillet(member))
+
+    return cure(design, works, [("tooth.fillet_factor", 0.01)])
 
 
 def _face_cone(design: Design) -> Iterator[Finding]:
@@ -73,7 +138,8 @@ def _face_cone(design: Design) -> Iterator[Finding]:
             yield Finding(
                 "pair.shaft_angle_deg",
                 f"{design.pair.shaft_angle_deg:.10g}° makes the {member.name}'s face cone, "
-                f"{np.degrees(member.tip_angle):.4g}°, open backwards (above 90°), as that of an internal gear; a smaller shaft angle avoids it",
+                f"{np.degrees(member.tip_angle):.4g}°, open backwards (above 90°) as that of an internal gear; "
+                "a smaller shaft angle avoids it",
             )
 
 
@@ -83,8 +149,8 @@ def _contact_ratio(design: Design) -> Iterator[Finding]:
     if total < 1:
         yield Finding(
             "tooth.addendum_factor",
-            f"{design.tooth.addendum_factor:.10g} makes the contact ratio only {total:.3g}: a pair of teeth parts before the next one meets; "
-            "a larger addendum factor, spiral angle or face width raises it",
+            f"{design.tooth.addendum_factor:.10g} makes the contact ratio only {total:.3g}: a pair of teeth parts "
+            "before the next one meets; a larger addendum factor, spiral angle or face width raises it",
         )
 
 
@@ -102,8 +168,13 @@ def _bore(design: Design) -> Iterator[Finding]:
             )
 
 
+FILLET = THICKNESS | fields("tooth", "fillet_factor")
+FILLETED = TOOTHED | {"no_space", "pointed_tip"}
 MESH_RULES = (
     Rule("working_depth", "warning", DEPTH, frozenset({"pitch_cone"}), "tooth.profile_shift", _working_depth),
+    Rule("full_round", "warning", FILLET, FILLETED, "tooth.fillet_factor", _full_round),
+    Rule("fillet_over_flank", "error", FILLET, FILLETED, "tooth.fillet_factor", _fillet_over_flank),
+    Rule("fillet_in_mesh", "warning", FILLET, FILLETED | {"fillet_over_flank"}, "tooth.fillet_factor", _fillet_in_mesh),
     Rule("interference", "warning", PROFILE, TOOTHED, "tooth.profile_shift", _interference),
     Rule("face_cone", "warning", TIP, frozenset({"pitch_cone"}), "pair.shaft_angle_deg", _face_cone),
     Rule("contact_ratio", "warning", PROFILE | ARC, TOOTHED | {"cutter_arc"}, "tooth.addendum_factor", _contact_ratio),

@@ -36,7 +36,8 @@ def _places(member: MemberGeometry) -> NDArray[np.float64]:
     return np.append(along, corner) if member.ends == "back_cone" else along
 
 
-def _tip_angles(member: MemberGeometry) -> NDArray[np.float64]:
+def tip_angles(member: MemberGeometry) -> NDArray[np.float64]:
+    """Polar angles of a tooth's tip along the face [rad]."""
     return member.tip_limit.at_sphere(_places(member))
 
 
@@ -70,7 +71,7 @@ def _root_cone(design: Design) -> Iterator[Finding]:
 
 def _has_flank(member: MemberGeometry) -> bool:
     least = LEAST_FLANK_FACTOR * member.module / member.outer_cone_distance
-    tips = _tip_angles(member)
+    tips = tip_angles(member)
     return bool(np.min(tips) >= _flank_start(member) + least and np.max(tips) < np.pi - member.base_angle)
 
 
@@ -78,7 +79,7 @@ def _no_involute(design: Design) -> Iterator[Finding]:
     for member in members(design):
         if _has_flank(member):
             continue
-        tips, start = np.degrees(_tip_angles(member)), np.degrees(_flank_start(member))
+        tips, start = np.degrees(tip_angles(member)), np.degrees(_flank_start(member))
         cone = "base" if member.base_angle >= member.root_angle else "root"
         found = _member_cure(
             design,
@@ -135,8 +136,8 @@ def _no_space(design: Design) -> Iterator[Finding]:
         )
         yield Finding(
             found.field or "tooth.profile_shift",
-            f"{_present(design, found.field or 'tooth.profile_shift')} makes the {member.name}'s teeth touch each other "
-            f"at the foot: there is no tooth space; "
+            f"{_present(design, found.field or 'tooth.profile_shift')} makes the {member.name}'s teeth touch "
+            f"each other at the foot: there is no tooth space; "
             f"use {found.text or 'a smaller profile shift or pressure angle'}",
         )
 
@@ -170,8 +171,8 @@ def _pointed_tip(design: Design) -> Iterator[Finding]:
         )
         yield Finding(
             found.field or "tooth.addendum_factor",
-            f"{_present(design, found.field or 'tooth.addendum_factor')} makes the {member.name}'s flanks meet below its "
-            "tip cone: the teeth are pointed; "
+            f"{_present(design, found.field or 'tooth.addendum_factor')} makes the {member.name}'s flanks meet "
+            "below its tip cone: the teeth are pointed; "
             f"use {found.text or 'a smaller addendum factor, profile shift or pressure angle'}",
         )
 
@@ -182,7 +183,8 @@ def _thin_tip(design: Design) -> Iterator[Finding]:
         if land <= THIN_FACTOR * member.module:
             yield Finding(
                 "tooth.addendum_factor",
-                f"{_present(design, 'tooth.addendum_factor')} makes the {member.name}'s tip only {land:.3g} mm wide at the heel, less than {THIN_FACTOR:g} modules; "
+                f"{_present(design, 'tooth.addendum_factor')} makes the {member.name}'s tip only {land:.3g} mm wide "
+                f"at the heel, less than {THIN_FACTOR:g} modules; "
                 "a smaller addendum factor or profile shift makes it wider",
             )
 

@@ -1,0 +1,79 @@
+"""Reading and writing whole files, with errors that say what to do about them."""
+
+from __future__ import annotations
+
+import contextlib
+import errno
+import os
+from collections.abc import Iterator
+from pathlib import Path
+
+from gearstudio.errors import FileError
+
+_REASONS = {
+    errno.ENOENT: "there is no such file or folder",
+    errno.EACCES: "no permission",
+    errno.EPERM: "no permission",
+    errno.EROFS: "the disk is read-only",
+    errno.ENOSPC: "the disk is full",
+    errno.EDQUOT: "the disk quota is used up",
+    errno.ENOTDIR: "a part of the path is a file, not a folder",
+    errno.EEXIST: "there is a file where the folder should be",
+    errno.EISDIR: "this is a folder, not a file",
+    errno.ENAMETOOLONG: "the name is too long",
+    errno.EIO: "the disk reports a fault",
+}
+
+
+def read_bytes(path: Path) -> bytes:
+    """Contents of a file.
+
+    Raises
+    ------
+    FileError
+        It is missing, a folder, not permitted, or not readable.
+    """
+    with named_errors(path):
+        return path.read_bytes()
+
+
+def write_bytes(path: Path, content: bytes) -> None:
+    """Write a file as a whole: it is there complete, or what was there before stays.
+
+    Raises
+    ------
+    FileError
+        It cannot be written there.
+    """
+    with named_errors(path):
+        target = Path(os.path.realpath(path))  # a link is written through, not replaced
+        if target.is_dir():
+            raise IsADirectoryError(errno.EISDIR, "is a folder")
+        unfinished = target.with_name(f".{os.getpid()}-{target.name[:100]}.part")
+        try:
+            with open(unfinished, "wb") as file:
+                file.write(content)
+                file.flush()
+                os.fsync(file.fileno())
+            with contextlib.suppress(OSError):
+                os.chmod(unfinished, target.stat().st_mode)
+            os.replace(unfinished, target)
+        finally:
+            with contextlib.suppress(OSError):
+                unfinished.unlink()
+
+
+def write_text(path: Path, content: str) -> None:
+    """`write_bytes` of UTF-8 text with plain newlines."""
+    write_bytes(path, content.encode("utf-8"))
+
+
+@contextlib.contextmanager
+def named_errors(path: Path) -> Iterator[None]:
+    """Turn what the operating system refuses into a FileError about the file that was asked for."""
+    try:
+        yield
+    except OSError as error:
+        raise FileError(path, _REASONS.get(error.errno or 0, error.strerror or str(error))) from error
+    except ValueError as error:  # a null character in the name
+        raise FileError(path, "this is not a file name") from error

@@ -1,0 +1,140 @@
+"""Design files: ``NAME.gear.toml``, read with every problem named and written as a whole."""
+
+from __future__ import annotations
+
+import tomllib
+from collections.abc import Iterator
+from difflib import get_close_matches
+from pathlib import Path
+from typing import Any
+
+from gearstudio.design import FORMAT, Design, FieldSpec, all_field_specs, field_value
+from gearstudio.errors import DesignError, FileError, Issue
+from gearstudio.files import read_bytes, write_text
+from gearstudio.presets import PRESETS_BY_KEY
+from gearstudio.validation import read_design
+
+PRESET_PREFIX = "preset:"
+LARGEST_FILE = 1_000_000
+
+
+def open_design(name: str) -> Design:
+    """The design of a file's path, or of a preset's key as ``preset:KEY``.
+
+    Raises
+    ------
+    FileError
+        The file cannot be read, or there is no such preset.
+    DesignError
+        As `load_design`.
+    """
+    if not name.startswith(PRESET_PREFIX):
+        return load_design(name)
+    key = name.removeprefix(PRESET_PREFIX)
+    if key not in PRESETS_BY_KEY:
+        near = get_close_matches(key, PRESETS_BY_KEY, 1, 0.0)
+        raise FileError(name, f"no such preset; the nearest is {PRESET_PREFIX}{near[0]} of {', '.join(PRESETS_BY_KEY)}")
+    return PRESETS_BY_KEY[key].design
+
+
+def load_design(path: str | Path) -> Design:
+    """Read a design file.
+
+    Raises
+    ------
+    FileError
+        It is missing, a folder, not permitted or far too large.
+    DesignError
+        It is no design file, or holds an unusable design; carries every problem found.
+    """
+    path = Path(path)
+    if path.exists() and not path.is_file() and not path.is_dir():
+        raise FileError(path, "this is a device, not a file")
+    content = read_bytes(path)
+    if len(content) > LARGEST_FILE:
+        raise FileError(path, f"{len(content) / 1e6:.3g} MB is too large for a design file; the most is 1 MB")
+    data = _parse(path, content)
+    missing = [] if "format" in data else [_no_format(path)]
+    design, issues = read_design(data)
+    if design is None or missing:
+        raise DesignError([*missing, *(issue for issue in issues if issue.severity == "error")])
+    return design
+
+
+def save_design(path: str | Path, design: Design) -> None:
+    """Write a design file that `load_design` reads back as the same design.
+
+    Raises
+    ------
+    FileError
+        It cannot be written there; what was there before is untouched.
+    """
+    write_text(Path(path), design_text(design))
+
+
+def design_text(design: Design) -> str:
+    """The design file of a design, with units and choices as comments."""
+    return "\n".join(_lines(design)) + "\n"
+
+
+def _parse(path: Path, content: bytes) -> dict[str, Any]:
+    try:
+        text = content.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        line = content[: error.start].count(b"\n") + 1
+        raise _unusable("not_utf8", f"{path}: line {line} is not UTF-8 text; save the file as UTF-8") from error
+    if not text.strip():
+        raise _unusable("empty", f"{path}: the file is empty; a design file begins with format = {FORMAT}")
+    try:
+        return tomllib.loads(text)
+    except RecursionError as error:
+        raise _unusable("not_toml", f"{path}: not a TOML file: tables or lists are nested too deeply") from error
+    except tomllib.TOMLDecodeError as error:
+        raise _unusable("not_toml", f"{path}: not a TOML file: {_printable(str(error))}") from error
+    except ValueError as error:  # more digits than Python converts
+        raise _unusable("not_toml", f"{path}: a number in it has thousands of digits") from error
+
+
+def _no_format(path: Path) -> Issue:
+    return Issue("no_format", "format", f"missing in {path}; write format = {FORMAT} in the first line")
+
+
+def _unusable(code: str, message: str) -> DesignError:
+    return DesignError([Issue(code, "", message)])
+
+
+def _printable(text: str) -> str:
+    return "".join(letter if letter.isprintable() else " " for letter in text)
+
+
+def _lines(design: Design) -> Iterator[str]:
+    yield f"format = {FORMAT}"
+    table = ""
+    for path, spec in all_field_specs().items():
+        value = field_value(design, path)
+        if spec.not_yet and value == spec.default:
+            continue
+        head, _, key = path.rpartition(".")
+        if head != table:
+            table = head
+            yield ""
+            yield f"[{table}]"
+        note = _note(spec)
+        if value is None:
+            yield f"{f'# {key} = derived':<34}# {note}"
+        else:
+            written = f"{key} = {_toml(value)}"
+            yield f"{written:<34}# {note}" if note else written
+
+
+def _note(spec: FieldSpec) -> str:
+    if spec.kind == "text":
+        return ""
+    allowed = spec.range_text.replace('"', "")
+    return f"{spec.unit}: {allowed}" if spec.unit else allowed
+
+
+def _toml(value: object) -> str:
+    if isinstance(value, str):
+        return '"' + value.replace("\\", "\\\\").replace('"', '\\"') + '"'
+    return repr(value)
