@@ -17,7 +17,7 @@ from OCP.gp import gp_Trsf
 from OCP.TopAbs import TopAbs_ShapeEnum
 from OCP.TopExp import TopExp_Explorer
 from OCP.TopoDS import TopoDS, TopoDS_Shape
-from scipy.interpolate import make_interp_spline
+from scipy.interpolate import BSpline, make_interp_spline
 
 from gearstudio.errors import GeometryError
 from gearstudio.kernel.convert import CONFUSION_MM, point_grid, to_curve, to_record, to_surface, to_wire
@@ -44,9 +44,13 @@ class Curve:
         return Curve(self.geometry.Transformed(motion))
 
 
-def curve_through(parameters: Floats, points: Floats, degree: int) -> Curve:
-    """The B-spline curve of a degree that takes points (n, 3) at given parameters (n,)."""
-    spline = make_interp_spline(parameters, points, k=min(degree, len(points) - 1))
+def curve_through(parameters: Floats, points: Floats, degree: int, flat_start: bool = False) -> Curve:
+    """The B-spline curve of a degree that takes points (n, 3) at given parameters (n,).
+
+    With ``flat_start`` its first derivative vanishes at the start, as an involute's does on the base cone
+    in the parameter psi; without it noise could turn the curve back there.
+    """
+    spline = _interpolation(parameters, points, degree, flat_start)
     return Curve(to_curve(spline.c, spline.t, spline.k))
 
 
@@ -125,12 +129,26 @@ def interpolated_points(points: Floats) -> NurbsSurface:
     return to_record(maker.Surface())
 
 
-def reconstructed(u: Floats, v: Floats, points: Floats, degree: int) -> NurbsSurface:
-    """The tensor-product B-spline of a degree that takes points (n_u, n_v, 3) at given (u, v)."""
-    along_u = make_interp_spline(u, points, k=min(degree, len(u) - 1))
-    along_v = make_interp_spline(v, along_u.c.transpose(1, 0, 2), k=min(degree, len(v) - 1))
+def reconstructed(u: Floats, v: Floats, points: Floats, degree: int, flat_start: bool = False) -> NurbsSurface:
+    """The tensor-product B-spline of a degree that takes points (n_u, n_v, 3) at given (u, v).
+
+    ``flat_start`` as in `curve_through`, for every line along u.
+    """
+    along_u = _interpolation(u, points, degree, flat_start)
+    along_v = _interpolation(v, along_u.c.transpose(1, 0, 2), degree, flat_start=False)
     record = NurbsSurface(along_v.c.transpose(1, 0, 2), along_u.t, along_v.t, along_u.k, along_v.k)
     return to_record(to_surface(record))
+
+
+def _interpolation(parameters: Floats, values: Floats, degree: int, flat_start: bool) -> BSpline:
+    degree = min(degree, len(parameters) - 1)
+    if not flat_start:
+        return make_interp_spline(parameters, values, k=degree)
+    sites = np.r_[parameters[0], parameters]
+    inner = [sites[i + 1 : i + 1 + degree].mean() for i in range(len(sites) - degree - 1)]
+    knots = np.r_[[sites[0]] * (degree + 1), inner, [sites[-1]] * (degree + 1)]
+    flat = [(1, np.zeros(values.shape[1:]))]
+    return make_interp_spline(parameters, values, k=degree, t=knots, bc_type=(flat, None))
 
 
 def oriented(surface: NurbsSurface, corners: Floats) -> NurbsSurface:

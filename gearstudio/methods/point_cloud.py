@@ -48,7 +48,7 @@ class PointCloud:
         def attempt(counts: tuple[int, ...]) -> tuple[Construction, tuple[float, ...]]:
             u, v = (denser_to_the_ends(max(n, degree + 1)) for n in counts)
             points = flank.points(u[:, None], v[None, :])
-            surface = reconstructed(u, v, points, degree)
+            surface = reconstructed(u, v, points, degree, flank.starts_on_base)
             settings = {"grid": [len(u), len(v)], "spacing": "non-uniform", "parameters": "psi, rho"}
             return Construction(surface, _cloud(points), settings), node_errors(flank, surface, u, v)
 

@@ -68,7 +68,7 @@ class ProfileSweep:
 
 def _section(flank: InvoluteFlank, v: float, points: int) -> Curve:
     u = np.linspace(0.0, 1.0, points)
-    return curve_through(u, flank.points(u, v), _CURVE_DEGREE)
+    return curve_through(u, flank.points(u, v), _CURVE_DEGREE, flank.starts_on_base)
 
 
 def _drawn_sections(flank: InvoluteFlank, v: Floats) -> tuple[ConstructionCurve, ...]:

@@ -154,4 +154,5 @@ def _patch_errors(patch: RolledPatch, points: int, positions: int) -> tuple[floa
 
 
 def _cut(patch: RolledPatch, u: Floats, v: Floats) -> NurbsSurface:
-    return reconstructed(u, v, patch.points(u[:, None], v[None, :]), _CURVE_DEGREE)
+    points = patch.points(u[:, None], v[None, :])
+    return reconstructed(u, v, points, _CURVE_DEGREE, patch.flank.starts_on_base)

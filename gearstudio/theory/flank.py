@@ -8,7 +8,7 @@ from typing import Literal, Protocol
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from gearstudio.theory.cones import MemberGeometry
+from gearstudio.theory.cones import ConeLimit, MemberGeometry
 from gearstudio.theory.involute import (
     azimuth_from_arc,
     involute_azimuth,
@@ -53,10 +53,13 @@ class InvoluteFlank:
     member : MemberGeometry
     side : {+1, -1}
         The flank at larger or smaller azimuth of the tooth centred at azimuth 0.
+    foot : ConeLimit, optional
+        Where the flank begins; by default at the root or base cone, whichever is higher.
     """
 
     member: MemberGeometry
     side: int
+    foot: ConeLimit | None = None
 
     @property
     def name(self) -> FlankName:
@@ -67,9 +70,16 @@ class InvoluteFlank:
         """Polar angles of the working flank's lower and upper edge at places v along the face, (...) each [rad]."""
         m = self.member
         rho_u = self._end_distance(v)
-        base = m.limit_angle(m.base_limit, rho_u)
-        lower = np.maximum(m.limit_angle(m.root_limit, rho_u), base)
-        return lower, m.limit_angle(m.tip_limit, rho_u)
+        upper = m.limit_angle(m.tip_limit, rho_u)
+        if self.foot is not None:
+            return m.limit_angle(self.foot, rho_u), upper
+        return np.maximum(m.limit_angle(m.root_limit, rho_u), m.limit_angle(m.base_limit, rho_u)), upper
+
+    @property
+    def starts_on_base(self) -> bool:
+        """Whether the lower edge is the base cone, where the flank's first derivative by u vanishes."""
+        low = roll_arc(self.limits(np.linspace(0.0, 1.0, 9))[0], self.member.base_angle)
+        return bool(np.all(low < 1e-9))
 
     def coordinates(self, u: ArrayLike, v: ArrayLike) -> tuple[Floats, Floats]:
         """psi [rad] and rho [mm] at (u, v); psi is linear in u, in which the flank is analytic."""
