@@ -1,0 +1,205 @@
+"""Draws layers with VTK: one named actor for each, updated in place; the only place that knows both.
+
+What several views share is sent to the renderer once: layers that are the same object in more than one pane use
+one mapper, with an actor in each pane.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
+from vtkmodules.vtkCommonCore import vtkLookupTable, vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkRenderingCore import vtkActor, vtkMapper, vtkPolyDataMapper
+
+from ui import colormap
+from ui.layers import Layer, Style
+
+_LIFT = 220.0
+"""Depth, in millionths of the range drawn, by which one step of lift comes forward."""
+
+
+def lookup_table() -> vtkLookupTable:
+    """The diverging colour table; every deviation map uses the same one."""
+    made = vtkLookupTable()
+    made.SetNumberOfTableValues(colormap.SIZE)
+    for index, (red, green, blue) in enumerate(colormap.table() / 255.0):
+        made.SetTableValue(index, red, green, blue, 1.0)
+    made.SetNanColor(0.5, 0.5, 0.5, 1.0)
+    made.SetTableRange(-1.0, 1.0)
+    return made
+
+
+class MeshBuffer:
+    """The arrays of one layer on their way to the renderer."""
+
+    def __init__(self, table: vtkLookupTable) -> None:
+        self.mesh = vtkPolyData()
+        self.mapper = vtkPolyDataMapper()
+        self.mapper.SetInputData(self.mesh)
+        self.mapper.SetLookupTable(table)
+        self.mapper.UseLookupTableScalarRangeOn()
+        self.mapper.InterpolateScalarsBeforeMappingOn()
+        self.mapper.SetStatic(False)
+        self.layer: Layer | None = None
+        self._arrays: dict[str, tuple[np.ndarray, Any]] = {}
+
+    def load(self, layer: Layer) -> None:
+        """Take over a layer's arrays, into the memory already there when their shapes agree."""
+        before, self.layer = self.layer, layer
+        if before is layer:
+            return
+        points = self._write("points", layer.points)
+        if points is not None:
+            holder = vtkPoints()
+            holder.SetData(points)
+            self.mesh.SetPoints(holder)
+        self.mesh.GetPoints().Modified()
+        for name, values, attach in (
+            ("normals", layer.normals, self.mesh.GetPointData().SetNormals),
+            ("scalars", layer.scalars, self.mesh.GetPointData().SetScalars),
+        ):
+            if values is None:
+                attach(None)
+                self._arrays.pop(name, None)
+                continue
+            fresh = self._write(name, values)
+            if fresh is not None:
+                attach(fresh)
+        if before is None or before.kind != layer.kind or not _same(before, layer):
+            self._set_cells(layer)
+        self.mapper.SetScalarVisibility(layer.scalars is not None)
+        self._set_lift(layer.style.lift)
+        self.mesh.Modified()
+
+    def _write(self, name: str, values: np.ndarray) -> Any | None:
+        """Copy values; the new VTK array when one had to be made."""
+        held = self._arrays.get(name)
+        if held is not None and held[0].shape == values.shape:
+            np.copyto(held[0], values, casting="same_kind")
+            held[1].Modified()
+            return None
+        copy = np.array(values, dtype=np.float32, order="C")
+        array = numpy_to_vtk(copy, deep=False)
+        array.SetName(name)
+        self._arrays[name] = (copy, array)
+        return array
+
+    def _set_cells(self, layer: Layer) -> None:
+        cells = np.arange(len(layer.points))[:, None] if layer.kind == "points" else layer.cells
+        made = vtkCellArray()
+        if len(cells):
+            made.SetData(cells.shape[1], numpy_to_vtkIdTypeArray(np.ascontiguousarray(cells).ravel(), deep=True))
+        setters = {"surface": self.mesh.SetPolys, "lines": self.mesh.SetLines, "points": self.mesh.SetVerts}
+        for kind, setter in setters.items():
+            setter(made if kind == layer.kind else vtkCellArray())
+
+    def _set_lift(self, lift: int) -> None:
+        self.mapper.SetRelativeCoincidentTopologyPolygonOffsetParameters(0.0, -_LIFT * lift)
+        self.mapper.SetRelativeCoincidentTopologyLineOffsetParameters(0.0, -_LIFT * lift)
+        self.mapper.SetRelativeCoincidentTopologyPointOffsetParameter(-_LIFT * lift)
+
+
+class ActorStore:
+    """All actors of all panes."""
+
+    def __init__(self, renderers: Sequence[Any]) -> None:
+        vtkMapper.SetResolveCoincidentTopologyToPolygonOffset()
+        self.table = lookup_table()
+        self.dark = False
+        self.pixel_ratio = 1.0
+        self._renderers = tuple(renderers)
+        self._buffers: dict[tuple[str, int], MeshBuffer] = {}
+        self._actors: list[dict[str, vtkActor]] = [{} for _ in self._renderers]
+        self._panes: tuple[tuple[Layer, ...], ...] = ()
+
+    @property
+    def counts(self) -> tuple[int, ...]:
+        """How many actors each pane has."""
+        return tuple(len(actors) for actors in self._actors)
+
+    def set_layers(self, panes: Sequence[tuple[Layer, ...]]) -> None:
+        """Show exactly these layers, a tuple for each pane; panes without one become empty."""
+        self._panes = (*map(tuple, panes), *((),) * (len(self._renderers) - len(panes)))
+        used: set[tuple[str, int]] = set()
+        slots: dict[str, list[Layer]] = {}
+        for pane, layers in enumerate(self._panes):
+            for layer in layers:
+                same_role = slots.setdefault(layer.key, [])
+                if not any(layer is other for other in same_role):
+                    same_role.append(layer)
+                slot = (layer.key, next(i for i, other in enumerate(same_role) if other is layer))
+                used.add(slot)
+                buffer = self._buffers.setdefault(slot, MeshBuffer(self.table))
+                buffer.load(layer)
+                self._show(pane, layer, buffer)
+            self._drop_actors(pane, {layer.key for layer in layers})
+        for slot in self._buffers.keys() - used:
+            del self._buffers[slot]
+
+    def set_limit(self, limit: float) -> None:
+        """Colours run from -limit to +limit."""
+        self.table.SetTableRange(-limit, limit)
+
+    def restyle(self, dark: bool, pixel_ratio: float) -> None:
+        """Take the theme's colours and the screen's scale."""
+        self.dark, self.pixel_ratio = dark, pixel_ratio
+        for pane, layers in enumerate(self._panes):
+            for layer in layers:
+                self._style(self._actors[pane][layer.key], layer)
+
+    def clear(self) -> None:
+        """Drop every actor and buffer."""
+        self.set_layers(())
+
+    def _show(self, pane: int, layer: Layer, buffer: MeshBuffer) -> None:
+        actor = self._actors[pane].get(layer.key)
+        if actor is None:
+            actor = vtkActor()
+            actor.SetPickable(False)
+            self._actors[pane][layer.key] = actor
+            self._renderers[pane].AddActor(actor)
+        if actor.GetMapper() is not buffer.mapper:
+            actor.SetMapper(buffer.mapper)
+        self._style(actor, layer)
+
+    def _drop_actors(self, pane: int, keep: set[str]) -> None:
+        actors = self._actors[pane]
+        for key in actors.keys() - keep:
+            self._renderers[pane].RemoveActor(actors.pop(key))
+
+    def _style(self, actor: vtkActor, layer: Layer) -> None:
+        apply_style(actor.GetProperty(), layer, self.dark, self.pixel_ratio)
+        actor.SetForceTranslucent(layer.style.opacity < 1)
+        actor.SetForceOpaque(layer.style.opacity >= 1)
+
+
+def apply_style(look: Any, layer: Layer, dark: bool, pixel_ratio: float) -> None:
+    """Set a VTK property from a layer's style."""
+    style: Style = layer.style
+    ink = style.ink.dark if dark else style.ink.light
+    look.SetColor(*(int(ink[i : i + 2], 16) / 255 for i in (1, 3, 5)))
+    look.SetOpacity(style.opacity)
+    lit = layer.kind == "surface" and not style.flat
+    look.SetLighting(lit)
+    look.SetAmbient((0.70 if layer.scalars is not None else 0.40) if lit else 1.0)
+    look.SetDiffuse((0.34 if layer.scalars is not None else 0.66) if lit else 0.0)
+    look.SetSpecular(style.gloss if lit else 0.0)
+    look.SetSpecularPower(28.0)
+    if layer.normals is None:
+        look.SetInterpolationToFlat()
+    else:
+        look.SetInterpolationToPhong()
+    look.SetLineWidth(style.width * pixel_ratio)
+    look.SetPointSize(style.width * pixel_ratio)
+    look.SetRenderPointsAsSpheres(layer.kind == "points")
+
+
+def _same(before: Layer, after: Layer) -> bool:
+    """Whether the cells need no new upload."""
+    if after.kind == "points":
+        return len(before.points) == len(after.points)
+    return before.cells is after.cells or np.array_equal(before.cells, after.cells)

@@ -1,0 +1,202 @@
+"""Where one looks from: a camera as a plain record, moved by functions; no renderer."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+Floats = NDArray[np.float64]
+
+HALF_ANGLE = np.radians(11.0)
+"""Half the vertical angle of view in perspective."""
+ZOOM_RANGE = (1e-3, 20.0)
+"""Smallest and largest half height of the view, of the radius of what there is."""
+_FILL_TOOTH, _FILL_ALL = 0.74, 0.90
+_ISO = np.array([0.82, -0.47, -0.62])
+
+
+def unit(vector: ArrayLike) -> Floats:
+    """A vector of length 1."""
+    vector = np.asarray(vector, dtype=np.float64)
+    return np.asarray(vector / np.linalg.norm(vector))
+
+
+@dataclass(frozen=True, eq=False)
+class Camera:
+    """A camera.
+
+    Attributes
+    ----------
+    focal : ndarray, shape (3,)
+        The point in the middle of the view [mm].
+    back : ndarray, shape (3,)
+        Unit vector from there to the eye.
+    up : ndarray, shape (3,)
+        Unit vector, square to ``back``.
+    half_height : float
+        Of the view, at the focal point [mm].
+    parallel : bool
+        Without perspective.
+    """
+
+    focal: Floats
+    back: Floats
+    up: Floats
+    half_height: float
+    parallel: bool = False
+
+    @property
+    def right(self) -> Floats:
+        """Unit vector to the right on the screen."""
+        return np.cross(self.up, self.back)
+
+    @property
+    def distance(self) -> float:
+        """From the eye to the focal point [mm]."""
+        return self.half_height / float(np.tan(HALF_ANGLE))
+
+    @property
+    def eye(self) -> Floats:
+        """Position of the eye [mm]."""
+        return self.focal + self.distance * self.back
+
+    def turned(self, yaw: float, pitch: float) -> Camera:
+        """Carried around the focal point by angles [rad] to the right and up."""
+        back = np.cos(yaw) * self.back - np.sin(yaw) * self.right
+        back = unit(np.cos(pitch) * back - np.sin(pitch) * self.up)
+        return replace(self, back=back, up=_square_up(self.up, back))
+
+    def rolled(self, angle: float) -> Camera:
+        """Turned about the line of sight [rad]."""
+        return replace(self, up=unit(np.cos(angle) * self.up + np.sin(angle) * self.right))
+
+    def panned(self, right: float, up: float) -> Camera:
+        """What is seen moves right and up by so many half heights."""
+        return replace(self, focal=self.focal - self.half_height * (right * self.right + up * self.up))
+
+    def zoomed(self, factor: float, x: float = 0.0, y: float = 0.0) -> Camera:
+        """Enlarged by a factor about a place on the screen given in half heights from the middle."""
+        shift = (1 - 1 / factor) * self.half_height
+        focal = self.focal + shift * (x * self.right + y * self.up)
+        return replace(self, focal=focal, half_height=self.half_height / factor)
+
+    def centred(self, focal: ArrayLike) -> Camera:
+        """With another point in the middle."""
+        return replace(self, focal=np.asarray(focal, dtype=np.float64))
+
+    def ray(self, x: float, y: float) -> tuple[Floats, Floats]:
+        """Start and unit direction of the ray through a place given in half heights from the middle."""
+        plane = self.half_height * (x * self.right + y * self.up)
+        if self.parallel:
+            return self.eye + plane, -self.back
+        return self.eye, unit(self.focal + plane - self.eye)
+
+    def project(self, points: ArrayLike) -> Floats:
+        """Places of points on the screen, in half heights from the middle, shape (..., 2)."""
+        offset = np.asarray(points, dtype=np.float64) - self.focal
+        flat = np.stack([offset @ self.right, offset @ self.up], axis=-1) / self.half_height
+        if self.parallel:
+            return flat
+        depth = 1 - (offset @ self.back) / self.distance
+        return np.asarray(flat / np.where(depth > 1e-6, depth, np.nan)[..., None])
+
+    def clipping(self, centre: ArrayLike, radius: float) -> tuple[float, float]:
+        """Nearest and farthest distance to draw so that a sphere is all there."""
+        middle = float((self.eye - np.asarray(centre)) @ self.back)
+        far = max(middle + 1.01 * radius, 1e-3 * self.distance)
+        near = middle - 1.01 * radius
+        return (near, far) if self.parallel else (max(near, far / 2000), far)
+
+
+@dataclass(frozen=True, eq=False)
+class Focus:
+    """What there is to look at: the whole, one tooth, and the outward direction of each of its flanks."""
+
+    centre: Floats
+    radius: float
+    points: Floats
+    tooth_centre: Floats
+    tooth_radius: float
+    tooth_points: Floats
+    flanks: dict[str, Floats]
+
+    def resembles(self, other: Focus) -> bool:
+        """Whether a camera set up for the other still suits this one."""
+        moved = float(np.linalg.norm(self.tooth_centre - other.tooth_centre))
+        return moved < 0.6 * other.tooth_radius and 0.6 < self.tooth_radius / other.tooth_radius < 1.6
+
+
+VIEWS = ("tooth", "concave", "convex", "flank", "iso", "front", "back", "left", "right", "top", "bottom", "fit")
+_DIRECTIONS = {
+    "iso": _ISO,
+    "front": np.array([1.0, 0.0, 0.0]),
+    "back": np.array([-1.0, 0.0, 0.0]),
+    "right": np.array([0.0, 1.0, 0.0]),
+    "left": np.array([0.0, -1.0, 0.0]),
+    "top": np.array([0.0, 0.0, -1.0]),
+    "bottom": np.array([0.0, 0.0, 1.0]),
+}
+
+
+def view(name: str, focus: Focus, aspect: float, current: Camera | None = None) -> Camera:
+    """Camera of a named view; the gear's apex is up.
+
+    Parameters
+    ----------
+    name : str
+        One of `VIEWS`. ``fit`` keeps the direction of the current camera, ``flank`` is the concave one.
+    focus : Focus
+    aspect : float
+        Width over height of one view.
+    current : Camera, optional
+        Its projection is kept.
+    """
+    parallel = current is not None and current.parallel
+    if name == "fit" and current is not None:
+        return _filling(current, focus.points, aspect, _FILL_ALL)
+    if name in ("tooth", "concave", "convex", "flank"):
+        back = _tooth_direction("concave" if name == "flank" else name, focus)
+        aimed = Camera(focus.tooth_centre, back, _apex_up(back), focus.tooth_radius, parallel)
+        return _filling(aimed, focus.tooth_points, aspect, _FILL_TOOTH)
+    back = unit(_DIRECTIONS.get(name, _ISO))
+    if name == "iso" and focus.flanks.get("concave", _ISO)[1] > 0:
+        back = back * np.array([1.0, -1.0, 1.0])
+    aimed = Camera(focus.centre, back, _apex_up(back), focus.radius, parallel)
+    return _filling(aimed, focus.points, aspect, _FILL_ALL)
+
+
+def _filling(camera: Camera, points: Floats, aspect: float, share: float) -> Camera:
+    """Points in the middle, taking up a share of the view; perspective by a few corrections."""
+    for _ in range(4):
+        places = camera.project(points)
+        low, high = np.nanmin(places, axis=0), np.nanmax(places, axis=0)
+        middle = (low + high) / 2
+        focal = camera.focal + camera.half_height * (middle[0] * camera.right + middle[1] * camera.up)
+        half = camera.half_height * max((high[0] - low[0]) / aspect, high[1] - low[1]) / (2 * share)
+        camera = replace(camera, focal=focal, half_height=float(half))
+    return camera
+
+
+def _tooth_direction(name: str, focus: Focus) -> Floats:
+    """From outside at the tooth's tip, leaning to a flank, or straight at it."""
+    outward = unit(focus.tooth_centre * np.array([1.0, 1.0, 0.0]))
+    normals = focus.flanks
+    if name in normals:
+        return unit(unit(normals[name]) + 0.35 * outward)
+    across = sum(normals.values(), np.zeros(3))
+    tip = unit(across) if np.linalg.norm(across) > 1e-6 else outward
+    lean = unit(normals["concave"]) if "concave" in normals else np.zeros(3)
+    return unit(tip + 0.20 * lean + 0.12 * outward)
+
+
+def _apex_up(back: Floats) -> Floats:
+    return _square_up(np.array([0.0, 0.0, -1.0]), back)
+
+
+def _square_up(up: Floats, back: Floats) -> Floats:
+    square = up - (up @ back) * back
+    if np.linalg.norm(square) < 1e-6:
+        square = np.array([-1.0, 0.0, 0.0]) - (-back[0]) * back
+    return unit(square)

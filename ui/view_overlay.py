@@ -1,0 +1,142 @@
+"""What lies over the views in crisp Qt type: titles, the value under the pointer, its marker, the axes."""
+
+from __future__ import annotations
+
+from html import escape
+
+import numpy as np
+from PySide6.QtCore import QPointF, QRectF, QSize, Qt
+from PySide6.QtGui import QColor, QFont, QPainter, QPaintEvent, QPen
+from PySide6.QtWidgets import QLabel, QWidget
+
+from ui.camera import Camera
+from ui.theme import DARK, LIGHT, Tokens
+
+MARGIN = 10
+
+
+class _Overlay(QWidget):
+    """A child of the views that lets the mouse through."""
+
+    def __init__(self, parent: QWidget) -> None:
+        super().__init__(parent)
+        self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
+        self.setAttribute(Qt.WidgetAttribute.WA_NoSystemBackground)
+        self.colors: Tokens = LIGHT
+
+    def set_theme(self, dark: bool) -> None:
+        """Take the theme's colours."""
+        self.colors = DARK if dark else LIGHT
+        self.update()
+
+
+class PaneTitle(QLabel):
+    """Title and subtitle of a pane on a soft plate."""
+
+    def __init__(self, parent: QWidget) -> None:
+        super().__init__(parent)
+        self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
+        self.setTextFormat(Qt.TextFormat.RichText)
+        self._text = ("", "")
+        self._colors = LIGHT
+
+    def set_theme(self, dark: bool) -> None:
+        """Take the theme's colours."""
+        self._colors = DARK if dark else LIGHT
+        red, green, blue, _ = QColor(self._colors.surface).getRgb()
+        self.setStyleSheet(
+            f"PaneTitle {{ background: rgba({red},{green},{blue},205); color: {self._colors.text};"
+            f" border: 1px solid {self._colors.border}; border-radius: 7px; padding: 4px 9px; }}"
+        )
+        self._compose()
+
+    def set_text(self, title: str, subtitle: str) -> None:
+        """Show a title and, smaller, what belongs to it."""
+        if (title, subtitle) != self._text:
+            self._text = (title, subtitle)
+            self._compose()
+
+    @property
+    def empty(self) -> bool:
+        """Whether there is nothing to show."""
+        return not any(self._text)
+
+    def _compose(self) -> None:
+        title, subtitle = (escape(text) for text in self._text)
+        second = f'<br><span style="color:{self._colors.muted}">{subtitle}</span>' if subtitle else ""
+        self.setText(f'<span style="font-weight:600">{title}</span>{second}')
+        self.adjustSize()
+
+
+class Marker(_Overlay):
+    """A small ring at the point under the pointer, and where the same point is in the other panes."""
+
+    SIZE = 15
+
+    def __init__(self, parent: QWidget) -> None:
+        super().__init__(parent)
+        self.resize(self.SIZE, self.SIZE)
+        self.hide()
+
+    def place(self, position: QPointF) -> None:
+        """Centre it at a place in the parent."""
+        half = (self.SIZE - 1) / 2
+        self.move(round(position.x() - half), round(position.y() - half))
+        self.show()
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        centre = QPointF(self.SIZE / 2, self.SIZE / 2)
+        for color, width in ((QColor(255, 255, 255, 230), 3.4), (QColor("#14181e"), 1.6)):
+            painter.setPen(QPen(color, width))
+            painter.drawEllipse(centre, 4.6, 4.6)
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(QColor("#14181e"))
+        painter.drawEllipse(centre, 1.3, 1.3)
+
+
+class Axes(_Overlay):
+    """The directions x, y and z of the gear, turning with the camera."""
+
+    _COLORS = ("#d1495b", "#3c9d5d", "#3d7edb")
+
+    def __init__(self, parent: QWidget) -> None:
+        super().__init__(parent)
+        self._tips = np.zeros((3, 3))
+        self.resize(72, 72)
+
+    def set_camera(self, camera: Camera) -> None:
+        """Follow a camera."""
+        tips = np.stack([camera.right, camera.up, camera.back], axis=-1)
+        if not np.array_equal(tips, self._tips):
+            self._tips = tips
+            self.update()
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        font = QFont(self.font())
+        font.setPointSizeF(max(font.pointSizeF() * 0.9, 7.0))
+        font.setBold(True)
+        painter.setFont(font)
+        centre, length = QPointF(36, 36), 23.0
+        for axis in np.argsort(self._tips[:, 2]):
+            right, up, depth = self._tips[axis]
+            color = QColor(self._COLORS[axis])
+            color.setAlphaF(1.0 if depth > -0.2 else 0.55)
+            tip = centre + QPointF(right, -up) * length
+            painter.setPen(QPen(color, 2.0, Qt.PenStyle.SolidLine, Qt.PenCapStyle.RoundCap))
+            painter.drawLine(centre, tip)
+            label = centre + QPointF(right, -up) * (length + 8.0)
+            painter.drawText(QRectF(label.x() - 8, label.y() - 8, 16, 16), Qt.AlignmentFlag.AlignCenter, "xyz"[axis])
+
+
+class Divider(_Overlay):
+    """A hairline between two panes."""
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        QPainter(self).fillRect(self.rect(), QColor(self.colors.border_strong))
+
+    def sizeHint(self) -> QSize:
+        return QSize(1, 1)

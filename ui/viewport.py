@@ -1,0 +1,264 @@
+"""The one OpenGL widget behind all views: draws when Qt asks, and turns mouse and trackpad into a camera.
+
+One pyvistaqt interactor with three renderers side by side serves one view as well as three: one GL context, one
+upload of what the views share, one frame for all of them. For a single view the first renderer gets the whole
+widget and the others are switched off, so changing over neither makes nor destroys anything.
+
+VTK's own interaction is not used. A camera record (`camera.Camera`) is moved by Qt events and handed to VTK just
+before a frame, and only ``paintGL`` renders: a drag costs one frame per step, not two, and no stray key of VTK's
+or pyvista's interactor styles reaches the picture.
+"""
+
+from __future__ import annotations
+
+import contextlib
+from time import perf_counter
+from typing import Any
+
+import numpy as np
+from PySide6.QtCore import QEvent, QPointF, Qt, QTimer, Signal
+from PySide6.QtGui import QCloseEvent, QKeyEvent, QMouseEvent, QNativeGestureEvent, QResizeEvent, QWheelEvent
+from PySide6.QtWidgets import QWidget
+from pyvistaqt import QtInteractor
+from vtkmodules.vtkRenderingCore import vtkLight
+
+from ui.camera import ZOOM_RANGE, Camera
+
+PANES = 3
+_TURN_PER_HEIGHT = np.pi * 0.9
+_WHEEL_STEP, _PIXEL_STEP = 0.0012, 0.004
+_STILL_AFTER_MS = 140
+_SOFTWARE = ("llvmpipe", "softpipe", "swrast", "software", "swiftshader", "basic render")
+_LIGHTS = (((-0.5, 0.7, 0.9), 0.46), ((0.9, 0.2, 0.7), 0.24), ((-0.6, -0.7, 0.7), 0.14), ((0.0, 0.0, 1.0), 0.40))
+
+
+class Viewport(QtInteractor):
+    """One to three panes with a common camera.
+
+    Signals
+    -------
+    camera_changed()
+        By the mouse; the frame is already asked for.
+    pointer_moved(object), pointer_left()
+        QPointF, without a button held.
+    double_clicked(object)
+        QPointF.
+    """
+
+    camera_changed = Signal()
+    pointer_moved = Signal(object)
+    pointer_left = Signal()
+    double_clicked = Signal(object)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent, shape=(1, PANES), border=False, multi_samples=0, auto_update=False)
+        self.setAcceptDrops(False)
+        self.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
+        self.iren.interactor.SetInteractorStyle(None)
+        self.link_views()
+        self.look = Camera(np.zeros(3), np.array([1.0, 0.0, 0.0]), np.array([0.0, 0.0, -1.0]), 1.0)
+        self.bounds_centre, self.bounds_radius = np.zeros(3), 1.0
+        self.frame_ms, self.frames = 0.0, 0
+        self.software: bool | None = None
+        self.pane_count = PANES
+        self._grabbed: tuple[Qt.MouseButton, QPointF] | None = None
+        self._moving = False
+        self._still = QTimer(self, singleShot=True, interval=_STILL_AFTER_MS)
+        self._still.timeout.connect(self._on_still)
+        for renderer in self.renderers:
+            renderer.remove_all_lights()
+            renderer.SetAutomaticLightCreation(False)
+            for place, strength in _LIGHTS:
+                renderer.AddLight(_camera_light(place, strength))
+            renderer.SetUseDepthPeeling(True)
+            renderer.SetMaximumNumberOfPeels(4)
+            renderer.SetOcclusionRatio(0.02)
+        self.set_pane_count(1)
+
+    # ---- what is drawn -------------------------------------------------------------------------------
+
+    def set_pane_count(self, count: int) -> None:
+        """Divide the widget into so many panes."""
+        self.pane_count = count
+        for index, renderer in enumerate(self.renderers):
+            shown = index < count
+            renderer.SetDraw(shown)
+            left = index / count if shown else 0.0
+            renderer.SetViewport(left, 0.0, (index + 1) / count if shown else 1.0, 1.0)
+        self.update()
+
+    def set_ground(self, top: str, bottom: str) -> None:
+        """A calm gradient, ``#rrggbb`` each; equal ones give a plain ground."""
+        for renderer in self.renderers:
+            renderer.SetGradientBackground(top != bottom)
+            renderer.SetBackground(*_rgb(bottom))
+            renderer.SetBackground2(*_rgb(top))
+        self.update()
+
+    def set_camera(self, camera: Camera) -> None:
+        """Look from elsewhere."""
+        self.look = camera
+        self.update()
+
+    def set_scene_bounds(self, centre: np.ndarray, radius: float) -> None:
+        """Sphere around everything drawn."""
+        self.bounds_centre, self.bounds_radius = centre, radius
+
+    @property
+    def aspect(self) -> float:
+        """Width over height of one pane."""
+        return max(self.width() / self.pane_count, 1.0) / max(self.height(), 1)
+
+    def pane_at(self, position: QPointF) -> tuple[int, float, float]:
+        """Pane under a place in the widget, and the place in half heights from that pane's middle."""
+        width, height = max(self.width(), 1) / self.pane_count, max(self.height(), 1)
+        pane = min(max(int(position.x() // width), 0), self.pane_count - 1)
+        x = (position.x() - (pane + 0.5) * width) / (height / 2)
+        return pane, x, 1 - 2 * position.y() / height
+
+    def place_of(self, pane: int, x: float, y: float) -> QPointF:
+        """The inverse of `pane_at`."""
+        width, height = self.width() / self.pane_count, self.height()
+        return QPointF((pane + 0.5) * width + x * height / 2, (1 - y) * height / 2)
+
+    # ---- drawing -------------------------------------------------------------------------------------
+
+    def render(self, *_: Any, **__: Any) -> None:
+        """Ask Qt for a frame; nothing is drawn outside of `paintGL`."""
+        self.update()
+
+    def initializeGL(self) -> None:
+        super().initializeGL()
+        name = ""
+        with contextlib.suppress(Exception):
+            name = str(self.context().functions().glGetString(0x1F01))
+        self.software = any(word in name.lower() for word in _SOFTWARE)
+        self.ren_win.SetMultiSamples(0 if self.software else 4)
+
+    def paintGL(self) -> None:
+        start = perf_counter()
+        self._hand_over_camera()
+        super().paintGL()
+        self.frame_ms, self.frames = 1000 * (perf_counter() - start), self.frames + 1
+
+    def _hand_over_camera(self) -> None:
+        look, camera = self.look, self.renderers[0].GetActiveCamera()
+        camera.SetViewAngle(float(np.degrees(2 * np.arctan(look.half_height / look.distance))))
+        camera.SetParallelProjection(look.parallel)
+        camera.SetParallelScale(look.half_height)
+        camera.SetFocalPoint(*look.focal)
+        camera.SetPosition(*look.eye)
+        camera.SetViewUp(*look.up)
+        camera.SetClippingRange(*look.clipping(self.bounds_centre, self.bounds_radius))
+        smooth = bool(self.software) and not self._moving
+        for renderer in self.renderers:
+            renderer.SetUseFXAA(smooth)
+
+    def set_moving(self) -> None:
+        """The picture is about to change again and again: leave out the smoothing until it stands still."""
+        self._moving = True
+        self._still.start()
+
+    def _on_still(self) -> None:
+        self._moving = False
+        if self.software:
+            self.update()
+
+    # ---- mouse, wheel, trackpad ----------------------------------------------------------------------
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        if self._grabbed is None:
+            self._grabbed = (event.button(), event.position())
+        self.pointer_left.emit()
+        event.accept()
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        if self._grabbed is not None and event.button() == self._grabbed[0]:
+            self._grabbed = None
+            if self._moving:
+                self._still.start(0)
+        event.accept()
+
+    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
+        if event.button() == Qt.MouseButton.LeftButton:
+            self.double_clicked.emit(event.position())
+        event.accept()
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        event.accept()
+        if self._grabbed is None:
+            self.pointer_moved.emit(event.position())
+            return
+        button, before = self._grabbed
+        self._grabbed = (button, event.position())
+        half = max(self.height(), 1) / 2
+        dx, dy = (event.position().x() - before.x()) / half, (before.y() - event.position().y()) / half
+        modifiers = event.modifiers()
+        if button == Qt.MouseButton.MiddleButton or modifiers & Qt.KeyboardModifier.ShiftModifier:
+            self._move(self.look.panned(dx, dy))
+        elif button == Qt.MouseButton.RightButton:
+            self._zoom(float(np.exp(1.6 * dy)), 0.0, 0.0)
+        elif modifiers & Qt.KeyboardModifier.ControlModifier:
+            self._move(self.look.rolled(dx * _TURN_PER_HEIGHT / 2))
+        else:
+            self._move(self.look.turned(dx * _TURN_PER_HEIGHT / 2, dy * _TURN_PER_HEIGHT / 2))
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        event.accept()
+        fine = event.pixelDelta().y()
+        step = _PIXEL_STEP * fine if fine else _WHEEL_STEP * event.angleDelta().y()
+        _, x, y = self.pane_at(event.position())
+        self._zoom(float(np.exp(np.clip(step, -1.0, 1.0))), x, y)
+
+    def event(self, event: QEvent) -> bool:
+        if isinstance(event, QNativeGestureEvent) and event.gestureType() == Qt.NativeGestureType.ZoomNativeGesture:
+            _, x, y = self.pane_at(event.position())
+            self._zoom(float(np.exp(np.clip(event.value(), -1.0, 1.0))), x, y)
+            return True
+        return bool(super().event(event))
+
+    def _zoom(self, factor: float, x: float, y: float) -> None:
+        low, high = (limit * self.bounds_radius for limit in ZOOM_RANGE)
+        target = min(max(self.look.half_height / factor, low), high)
+        self._move(self.look.zoomed(self.look.half_height / target, x, y))
+
+    def _move(self, camera: Camera) -> None:
+        self.set_moving()
+        self.set_camera(camera)
+        self.camera_changed.emit()
+
+    # ---- nothing of this reaches VTK -------------------------------------------------------------------
+
+    def enterEvent(self, event: QEvent) -> None:
+        event.accept()
+
+    def leaveEvent(self, event: QEvent) -> None:
+        self.pointer_left.emit()
+        event.accept()
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        event.ignore()
+
+    def keyReleaseEvent(self, event: QKeyEvent) -> None:
+        event.ignore()
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        self._still.stop()
+        super().closeEvent(event)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self.camera_changed.emit()
+
+
+def _camera_light(place: tuple[float, float, float], strength: float) -> vtkLight:
+    light = vtkLight()
+    light.SetLightTypeToCameraLight()
+    light.SetPosition(*place)
+    light.SetFocalPoint(0.0, 0.0, 0.0)
+    light.SetIntensity(strength)
+    return light
+
+
+def _rgb(color: str) -> tuple[float, float, float]:
+    return (int(color[1:3], 16) / 255, int(color[3:5], 16) / 255, int(color[5:7], 16) / 255)
