@@ -25,8 +25,8 @@ _END_DENSITY = 0.6
 class PointCloud:
     """``published``: 7 x 7 points, evenly divided, and the kernel's own interpolation.
 
-    ``optimised``: tensor-product reconstruction over the parameters (psi, rho), in which the flank is
-    analytic, from a 12 x 14 grid that is denser toward the edges and grows where the tolerance asks.
+    ``optimised``: tensor-product reconstruction over psi and the arc of the tooth trace, in which the flank
+    is analytic, from a 12 x 14 grid that is denser toward the edges and grows where the tolerance asks.
     """
 
     info: MethodInfo = catalogue.POINT_CLOUD
@@ -47,9 +47,9 @@ class PointCloud:
 
         def attempt(counts: tuple[int, ...]) -> tuple[Construction, tuple[float, ...]]:
             u, v = (denser_to_the_ends(max(n, degree + 1)) for n in counts)
-            points = flank.points(u[:, None], v[None, :])
+            points = flank.points(u[:, None], flank.along(v)[None, :])
             surface = reconstructed(u, v, points, degree, flank.starts_on_base)
-            settings = {"grid": [len(u), len(v)], "spacing": "non-uniform", "parameters": "psi, rho"}
+            settings = {"grid": [len(u), len(v)], "spacing": "non-uniform", "parameters": "psi, trace"}
             return Construction(surface, _cloud(points), settings), node_errors(flank, surface, u, v)
 
         goal = SAFETY * target.tolerance

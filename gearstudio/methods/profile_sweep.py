@@ -54,13 +54,14 @@ class ProfileSweep:
     def _optimised(self, flank: InvoluteFlank, target: Target) -> Construction:
         def attempt(counts: tuple[int, ...]) -> tuple[Construction, tuple[float, ...]]:
             points, sections = counts
-            v = np.linspace(0.0, 1.0, sections)
+            shares = np.linspace(0.0, 1.0, sections)
+            v = flank.along(shares)
             skinned = skin([_section(flank, place, points) for place in v], _SKIN_SHARE * target.tolerance)
             surface = oriented(skinned, flank.points([[0.0], [1.0]], [[0.0, 1.0]]))
             curves = (*_drawn_sections(flank, v), *_drawn_guides(flank))
             settings = {"sections": sections, "points": points, "guides": len(_GUIDE_PLACES), "sweep": "skin"}
             construction = Construction(surface, curves, settings)
-            return construction, node_errors(flank, surface, np.linspace(0.0, 1.0, points), v)
+            return construction, node_errors(flank, surface, np.linspace(0.0, 1.0, points), shares)
 
         goal = SAFETY * target.tolerance
         return Refinement(self.info.id, goal, (_CURVE_DEGREE + 1, 7)).run((_FIRST_POINTS, _FIRST_SECTIONS), attempt)

@@ -55,7 +55,8 @@ class RolledPatch:
         """Where on the patch the working flank's point (u, v) lies."""
         psi, rho = self.flank.coordinates(u, v)
         roll = self.flank.contact_azimuth(psi, rho)
-        return (rho - self.rho[0]) / (self.rho[1] - self.rho[0]), (roll - self.roll[0]) / (self.roll[1] - self.roll[0])
+        along = self.flank.member.lengthwise.share(*self.rho, rho)
+        return along, (roll - self.roll[0]) / (self.roll[1] - self.roll[0])
 
     def points(self, u: Floats, v: Floats) -> Floats:
         """The patch's points at the working flank's (u, v)."""
@@ -127,7 +128,7 @@ def _roll(
 
 
 def _line(flank: InvoluteFlank, ends: tuple[float, float], azimuth: float, along: Floats) -> Floats:
-    return generating_line(flank.member, flank.side, ends[0] + along * (ends[1] - ends[0]), azimuth)
+    return generating_line(flank.member, flank.side, flank.member.lengthwise.divided(*ends, along), azimuth)
 
 
 def _rolling_motion(base_angle: float, start: float, azimuth: float) -> Floats:
@@ -144,7 +145,7 @@ def _patch_errors(patch: RolledPatch, points: int, positions: int) -> tuple[floa
 
     def gap(u: Floats, v: Floats) -> float:
         flank = patch.flank
-        rho = patch.rho[0] + u * (patch.rho[1] - patch.rho[0])
+        rho = flank.member.lengthwise.divided(*patch.rho, u)
         roll = patch.roll[0] + v * (patch.roll[1] - patch.roll[0])
         exact = generating_line(flank.member, flank.side, rho[:, None], roll[None, :])
         return float(np.linalg.norm(patch.surface.grid(u, v) - exact, axis=-1).max())
@@ -154,5 +155,5 @@ def _patch_errors(patch: RolledPatch, points: int, positions: int) -> tuple[floa
 
 
 def _cut(patch: RolledPatch, u: Floats, v: Floats) -> NurbsSurface:
-    points = patch.points(u[:, None], v[None, :])
+    points = patch.points(u[:, None], patch.flank.along(v)[None, :])
     return reconstructed(u, v, points, _CURVE_DEGREE, patch.flank.starts_on_base)

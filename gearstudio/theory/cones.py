@@ -167,13 +167,7 @@ class _Angles:
 
 
 def pair_geometry(design: Design) -> PairGeometry:
-    """Derive both members from a design (theory 2, 4, 5).
-
-    Raises
-    ------
-    GeometryError
-        The lengthwise curve does not exist over the face width.
-    """
+    """Derive both members from a design (theory 2, 4, 5)."""
     pair, tooth = design.pair, design.tooth
     shaft_angle = float(np.radians(pair.shaft_angle_deg))
     deltas = pitch_angles(pair.pinion_teeth, pair.wheel_teeth, shaft_angle)

@@ -8,6 +8,7 @@ from typing import Literal, Protocol
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from gearstudio.errors import GeometryError
 from gearstudio.theory.cones import ConeLimit, MemberGeometry
 from gearstudio.theory.involute import (
     azimuth_from_arc,
@@ -91,6 +92,12 @@ class InvoluteFlank:
     def points(self, u: ArrayLike, v: ArrayLike) -> Floats:
         """Points of the working flank, shape (..., 3) [mm]."""
         return self.at(*self.coordinates(u, v))
+
+    def along(self, share: ArrayLike) -> Floats:
+        """Places v at which shares in [0, 1] divide the face for an interpolation (see `Lengthwise.divided`)."""
+        m = self.member
+        rho_u = m.lengthwise.divided(m.inner_cone_distance, m.outer_cone_distance, share)
+        return np.asarray((rho_u - m.inner_cone_distance) / m.face_width)
 
     def evenly_divided(self, n_u: int, n_v: int) -> Floats:
         """Points of the working flank at evenly spaced polar angles and places along the face, (n_u, n_v, 3)."""
@@ -253,7 +260,18 @@ class InvoluteFlank:
 
 
 def involute_flank(member: MemberGeometry, name: FlankName) -> InvoluteFlank:
-    """The concave or convex flank of a member's tooth (theory 4: concave is side = hand)."""
+    """The concave or convex flank of a member's tooth (theory 4: concave is side = hand).
+
+    Raises
+    ------
+    GeometryError
+        The cutter arc does not cross the whole face width.
+    """
+    nearest, farthest = member.lengthwise.reach
+    if not nearest < member.inner_cone_distance < member.outer_cone_distance < farthest:
+        raise GeometryError(
+            f"a cutter of radius {member.lengthwise.cutter_radius:.6g} mm does not cross the whole face width"
+        )
     return InvoluteFlank(member, member.hand if name == "concave" else -member.hand)
 
 

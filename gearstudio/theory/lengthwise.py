@@ -97,7 +97,7 @@ class Lengthwise:
         first, last = self._arc_angle(np.array([low, high]))
         chord = np.sin((first + share * (last - first)) / 2)
         rho = np.sqrt(self._nearest**2 + 4 * self.cutter_distance * self.cutter_radius * chord**2)
-        return np.asarray(np.where(share <= 0, low, np.where(share >= 1, high, rho)))
+        return np.asarray(np.where(share == 0, low, np.where(share == 1, high, rho)))
 
     def share(self, low: float, high: float, rho: ArrayLike) -> Floats:
         """The share of the way from low to high at which a cone distance lies; the inverse of `divided`."""
