@@ -5,7 +5,11 @@ from __future__ import annotations
 import contextlib
 import errno
 import os
+import sys
+import tempfile
+import traceback
 from collections.abc import Iterator
+from datetime import datetime
 from pathlib import Path
 
 from gearstudio.errors import FileError
@@ -77,3 +81,31 @@ def named_errors(path: Path) -> Iterator[None]:
         raise FileError(path, _REASONS.get(error.errno or 0, error.strerror or str(error))) from error
     except ValueError as error:  # a null character in the name
         raise FileError(path, "this is not a file name") from error
+
+
+def log_file() -> Path:
+    """Where this user's failures are written down; its folder is made when possible, else it is a temporary one."""
+    home = Path(os.path.expanduser("~"))
+    if sys.platform == "win32":
+        folder = Path(os.environ.get("LOCALAPPDATA") or home) / "GearStudio"
+    elif sys.platform == "darwin":
+        folder = home / "Library" / "Logs" / "GearStudio"
+    else:
+        folder = Path(os.environ.get("XDG_STATE_HOME") or home / ".local" / "state") / "gearstudio"
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        if os.access(folder, os.W_OK):
+            return folder / "gearstudio.log"
+    except OSError:
+        pass
+    return Path(tempfile.gettempdir()) / "gearstudio.log"
+
+
+def log_failure(error: BaseException) -> Path:
+    """Append an unexpected error with its traceback to the log and say where that is."""
+    path = log_file()
+    with contextlib.suppress(OSError), open(path, "a", encoding="utf-8", errors="replace") as log:
+        log.write(f"{datetime.now().astimezone().isoformat(timespec='seconds')}\n")
+        log.writelines(traceback.format_exception(error))
+        log.write("\n")
+    return path

@@ -33,7 +33,9 @@ def open_design(name: str) -> Design:
     key = name.removeprefix(PRESET_PREFIX)
     if key not in PRESETS_BY_KEY:
         near = get_close_matches(key, PRESETS_BY_KEY, 1, 0.0)
-        raise FileError(name, f"no such preset; the nearest is {PRESET_PREFIX}{near[0]} of {', '.join(PRESETS_BY_KEY)}")
+        raise FileError(
+            name, f"no such preset; the nearest is {PRESET_PREFIX}{near[0]}; presets: {', '.join(PRESETS_BY_KEY)}"
+        )
     return PRESETS_BY_KEY[key].design
 
 

@@ -1,0 +1,141 @@
+"""``info``: the derived geometry of both members, and warnings."""
+
+from __future__ import annotations
+
+import argparse
+from typing import Any
+
+import numpy as np
+
+from gearstudio.catalogue import MEMBERS
+from gearstudio.cli.output import STANDARD_OUTPUT, table, write_json
+from gearstudio.design import Design
+from gearstudio.project import open_design
+from gearstudio.theory.cones import MemberGeometry, PairGeometry, pair_geometry
+from gearstudio.theory.pair import overlap_ratio, tip_half_azimuth, transverse_contact_ratio
+from gearstudio.theory.profile import fillet
+from gearstudio.validation import check
+
+_TITLES = {
+    "teeth": "Teeth",
+    "hand": "Hand",
+    "pitch_angle_deg": "Pitch angle",
+    "base_angle_deg": "Base angle",
+    "tip_angle_deg": "Face (tip) angle",
+    "root_angle_deg": "Root angle",
+    "transverse_pressure_angle_deg": "Transverse pressure angle",
+    "gamma_deg": "Pitch to base element",
+    "outer_cone_distance": "Outer cone distance",
+    "mean_cone_distance": "Mean cone distance",
+    "inner_cone_distance": "Inner cone distance",
+    "face_width": "Face width",
+    "outer_pitch_diameter": "Outer pitch diameter",
+    "outer_tip_diameter": "Outer tip diameter",
+    "base_radius": "Base radius",
+    "addendum": "Addendum",
+    "dedendum": "Dedendum",
+    "half_tooth_azimuth_deg": "Half tooth on the pitch cone",
+    "tip_half_azimuth_deg": "Half tooth at the tip",
+    "tip_width": "Tip width at the heel",
+    "theta_toe_deg": "Tooth turned at the toe",
+    "theta_heel_deg": "Tooth turned at the heel",
+    "spiral_angle_toe_deg": "Spiral angle at the toe",
+    "spiral_angle_heel_deg": "Spiral angle at the heel",
+    "fillet_radius": "Fillet radius at the heel",
+    "shaft_angle_deg": "Shaft angle",
+    "gear_ratio": "Ratio",
+    "outer_module": "Outer transverse module",
+    "mean_normal_module": "Mean normal module",
+    "normal_pressure_angle_deg": "Normal pressure angle",
+    "mean_spiral_angle_deg": "Mean spiral angle",
+    "transverse_contact_ratio": "Transverse contact ratio",
+    "overlap_ratio": "Overlap ratio",
+}
+_RATIOS = {"teeth", "hand", "gear_ratio", "transverse_contact_ratio", "overlap_ratio"}
+
+
+def run(args: argparse.Namespace) -> int:
+    """Carry the command out; the exit status."""
+    design = open_design(args.design)
+    data = info(design)
+    if args.json != STANDARD_OUTPUT:
+        print(_text(design, data))
+    if args.json is not None:
+        write_json(args.json, data)
+    return 0
+
+
+def info(design: Design) -> dict[str, Any]:
+    """The derived geometry of a design, as interface.md names it: mm, and degrees where a name ends in ``_deg``."""
+    pair = pair_geometry(design)
+    warnings = [{"code": w.code, "field": w.field, "message": w.message} for w in check(design)]
+    members: dict[str, Any] = {name: member_info(pair.member(name)) for name in MEMBERS}
+    return {**members, "pair": pair_info(pair), "warnings": warnings}
+
+
+def member_info(member: MemberGeometry) -> dict[str, Any]:
+    """What there is to know of one member."""
+    inner, outer = member.inner_cone_distance, member.outer_cone_distance
+    tip = float(member.limit_angle(member.tip_limit, outer))
+    theta = np.degrees(member.lengthwise.azimuth([inner, outer]))
+    spiral = np.degrees(member.lengthwise.spiral_angle([inner, outer]))
+    tip_half = float(tip_half_azimuth(member, outer))
+    return {
+        "teeth": member.teeth,
+        "hand": "right" if member.hand > 0 else "left",
+        "pitch_angle_deg": float(np.degrees(member.pitch_angle)),
+        "base_angle_deg": float(np.degrees(member.base_angle)),
+        "tip_angle_deg": float(np.degrees(member.tip_angle)),
+        "root_angle_deg": float(np.degrees(member.root_angle)),
+        "transverse_pressure_angle_deg": float(np.degrees(member.transverse_pressure_angle)),
+        "gamma_deg": float(np.degrees(member.gamma)),
+        "outer_cone_distance": outer,
+        "mean_cone_distance": member.mean_cone_distance,
+        "inner_cone_distance": inner,
+        "face_width": member.face_width,
+        "outer_pitch_diameter": member.module * member.teeth,
+        "outer_tip_diameter": 2 * float(member.cone_distance(outer, tip) * np.sin(tip)),
+        "base_radius": member.base_radius,
+        "addendum": member.addendum,
+        "dedendum": member.dedendum,
+        "half_tooth_azimuth_deg": float(np.degrees(member.half_tooth_azimuth)),
+        "tip_half_azimuth_deg": float(np.degrees(tip_half)),
+        "tip_width": 2 * tip_half * float(np.sin(member.tip_limit.at_sphere(outer))) * outer,
+        "theta_toe_deg": float(theta[0]),
+        "theta_heel_deg": float(theta[1]),
+        "spiral_angle_toe_deg": float(spiral[0]),
+        "spiral_angle_heel_deg": float(spiral[1]),
+        "fillet_radius": fillet(member).radius * outer,
+    }
+
+
+def pair_info(pair: PairGeometry) -> dict[str, Any]:
+    """What both members share."""
+    return {
+        "shaft_angle_deg": float(np.degrees(pair.shaft_angle)),
+        "gear_ratio": pair.wheel.teeth / pair.pinion.teeth,
+        "outer_module": pair.wheel.module,
+        "mean_normal_module": pair.mean_normal_module,
+        "normal_pressure_angle_deg": float(np.degrees(pair.normal_pressure_angle)),
+        "mean_spiral_angle_deg": float(np.degrees(pair.mean_spiral_angle)),
+        "transverse_contact_ratio": transverse_contact_ratio(pair),
+        "overlap_ratio": overlap_ratio(pair),
+    }
+
+
+def _text(design: Design, data: dict[str, Any]) -> str:
+    rows: list[tuple[str, ...]] = [("", *MEMBERS, "")]
+    rows += [(_TITLES[key], *(_cell(data[name][key]) for name in MEMBERS), _unit(key)) for key in data["pinion"]]
+    pair = [(_TITLES[key], _cell(value), _unit(key)) for key, value in data["pair"].items()]
+    warnings = [f"warning: {w['field']}: {w['message']}" for w in data["warnings"]]
+    return "\n".join(
+        [design.name, "", table(rows, (0, 3)), "", table(pair, (0, 2)), *([""] if warnings else []), *warnings]
+    )
+
+
+def _cell(value: object) -> str:
+    return f"{value:.5f}" if isinstance(value, float) else str(value)
+
+
+def _unit(key: str) -> str:
+    return "" if key in _RATIOS else "°" if key.endswith("_deg") else "mm"

@@ -1,0 +1,53 @@
+"""The one door: a command word works without a window, anything else opens it."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+
+COMMANDS = ("info", "compare", "points", "export")
+COMMANDS_TO_COME = ("contact", "measure", "report", "screenshot")
+
+
+def main(argv: Sequence[str] | None = None) -> int:
+    """Run GearStudio with the arguments after the program's name; the exit status."""
+    try:
+        return _run(list(sys.argv[1:] if argv is None else argv))
+    except KeyboardInterrupt:
+        return 130
+    except ImportError as error:
+        print(f"GearStudio is not completely installed: {error}", file=sys.stderr)
+        return 1
+
+
+def _run(arguments: list[str]) -> int:
+    first = arguments[0] if arguments else ""
+    if first in COMMANDS or first in ("-h", "--help", "--version"):
+        from gearstudio.cli import main as command_line
+
+        return command_line(arguments)
+    if _looks_like_a_command(first):
+        return _refuse(first)
+    from ui.app import main as window
+
+    return int(window(arguments))
+
+
+def _looks_like_a_command(word: str) -> bool:
+    return word.replace("-", "").isalpha() and not word.startswith("-") and not Path(word).exists()
+
+
+def _refuse(word: str) -> int:
+    if word in COMMANDS_TO_COME:
+        reason = f"{word}: this command is not available yet"
+    else:
+        from gearstudio.cli import nearest_command
+
+        reason = f"{word}: no such command or design file; the nearest command is {nearest_command(word)}"
+    print(f"{reason}; commands: {', '.join(COMMANDS)}", file=sys.stderr)
+    return 2
+
+
+if __name__ == "__main__":
+    sys.exit(main())
