@@ -1,0 +1,176 @@
+"""Every command of the window with its words, shortcut and icon; the menus and the toolbar made of them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from PySide6.QtCore import QObject
+from PySide6.QtGui import QAction, QActionGroup, QKeySequence
+from PySide6.QtWidgets import QMainWindow, QMenu, QToolBar
+
+from gearstudio.catalogue import MEMBERS, METHOD_IDS, VARIANTS
+from ui.formatting import MEMBER_TITLES, METHOD_TITLES, VARIANT_TITLES
+from ui.session import ALL
+from ui.theme import icon
+
+Keys = QKeySequence.StandardKey
+VIEW_NAMES = (
+    ("tooth", "Tooth", "F2"),
+    ("concave", "Concave flank", "F3"),
+    ("convex", "Convex flank", "F4"),
+    ("iso", "Isometric", "F6"),
+    ("front", "Front", "F7"),
+    ("back", "Back", "Shift+F7"),
+    ("left", "Left", ""),
+    ("right", "Right", ""),
+    ("top", "From the apex", "F8"),
+    ("bottom", "From the heel", "Shift+F8"),
+    ("fit", "Fit all", "F9"),
+)
+
+
+@dataclass(frozen=True)
+class Command:
+    """Words, icon and shortcut of an action."""
+
+    name: str
+    text: str
+    tip: str = ""
+    keys: QKeySequence.StandardKey | str = ""
+    icon: str = ""
+
+
+COMMANDS = (
+    Command("new", "&New", "Start from the default design", Keys.New, "new"),
+    Command("open", "&Open design…", "Open a design file (.gear.toml)", Keys.Open, "open"),
+    Command("save", "&Save", "Save the design", Keys.Save, "save"),
+    Command("save_as", "Save &as…", "Save the design under another name", "Ctrl+Shift+S"),
+    Command("export", "&Export flanks…", "Write the flanks of a method as STEP", "Ctrl+E", "export"),
+    Command("screenshot", "S&creenshot…", "Save a picture of the window", "F12", "camera"),
+    Command("quit", "&Quit", "", Keys.Quit),
+    Command("undo", "&Undo", "Take back the last edit", Keys.Undo, "undo"),
+    Command("redo", "&Redo", "Do again what was taken back", Keys.Redo, "redo"),
+    Command("copy_table", "&Copy comparison", "Copy the comparison table as text"),
+    Command("copy_derived", "Copy &derived values", "Copy the derived values as text"),
+    Command("rebuild", "&Rebuild", "Build every variant again", "F5", "rebuild"),
+    Command("cancel", "&Cancel", "Stop the work in progress", "Esc", "cancel"),
+    Command("restart", "Re&start CAD kernel", "End the CAD process and start a new one"),
+    Command("reset_layout", "&Reset layout", "Put every panel back in its place"),
+    Command("about", "&About GearStudio", "What this is, and the versions of its parts"),
+    Command("diagnostics", "Copy &diagnostics", "Copy versions, design and log for a report"),
+)
+
+
+class Actions(QObject):
+    """The window's actions by name, its groups of choices, and its menus."""
+
+    def __init__(self, window: QMainWindow) -> None:
+        super().__init__(window)
+        self._icons: dict[QAction, str] = {}
+        self.by_name: dict[str, QAction] = {}
+        for command in COMMANDS:
+            self.by_name[command.name] = self._make(command)
+        self.members = self._choices([(m, MEMBER_TITLES[m], f"Ctrl+Alt+{i}") for i, m in enumerate(MEMBERS, 1)])
+        methods = [(ALL, "All three", "Ctrl+1"), *_numbered(METHOD_IDS, METHOD_TITLES)]
+        self.methods = self._choices(methods)
+        self.variants = self._choices([(v, VARIANT_TITLES[v], f"Ctrl+Shift+{i}") for i, v in enumerate(VARIANTS, 1)])
+        self.flanks = self._choices([(f, f"{f.capitalize()} flank", "") for f in ("concave", "convex")])
+        self.schemes = self._choices([("system", "As the system", ""), ("light", "Light", ""), ("dark", "Dark", "")])
+        check(self.flanks, "concave")
+        check(self.schemes, "system")
+        self.views = self._choices(list(VIEW_NAMES), checkable=False)
+        self.presets = QMenu("Open &preset", window)
+        self.layers = QMenu("&Layers", window)
+        self._build_menus(window)
+        window.addActions(list(self.by_name.values()))
+        for group in (self.members, self.methods, self.variants, self.views):
+            window.addActions(group.actions())
+
+    def __getitem__(self, name: str) -> QAction:
+        return self.by_name[name]
+
+    def refresh_icons(self) -> None:
+        """Draw the icons in the theme's colours."""
+        for action, name in self._icons.items():
+            action.setIcon(icon(name))
+
+    def show_selection(self, member: str, method: str, variant: str) -> None:
+        """Tick what is shown, without announcing it."""
+        for group, chosen in ((self.members, member), (self.methods, method), (self.variants, variant)):
+            check(group, chosen)
+
+    def fill_toolbar(self, toolbar: QToolBar) -> None:
+        """Put the usual commands on a toolbar."""
+        for name in ("new", "open", "save", "", "undo", "redo", "", "rebuild", "cancel", "", "screenshot"):
+            toolbar.addAction(self[name]) if name else toolbar.addSeparator()
+
+    def _make(self, command: Command) -> QAction:
+        action = QAction(command.text, self)
+        if command.keys:
+            action.setShortcut(QKeySequence(command.keys))
+        keys = action.shortcut().toString(QKeySequence.SequenceFormat.NativeText)
+        action.setToolTip(f"{command.tip or command.text.replace('&', '')}{f' ({keys})' if keys else ''}")
+        if command.icon:
+            self._icons[action] = command.icon
+            action.setIcon(icon(command.icon))
+        action.setIconVisibleInMenu(False)
+        return action
+
+    def _choices(self, rows: list[tuple[str, str, str]], *, checkable: bool = True) -> QActionGroup:
+        group = QActionGroup(self)
+        for identifier, text, keys in rows:
+            action = group.addAction(text)
+            action.setData(identifier)
+            action.setCheckable(checkable)
+            if keys:
+                action.setShortcut(QKeySequence(keys))
+        return group
+
+    def _build_menus(self, window: QMainWindow) -> None:
+        bar = window.menuBar()
+        plan: tuple[tuple[str, tuple[str | QMenu, ...]], ...] = (
+            ("&File", ("new", "open", self.presets, "", "save", "save_as", "", "export", "screenshot", "", "quit")),
+            ("&Edit", ("undo", "redo", "", "copy_table", "copy_derived")),
+        )
+        for title, items in plan:
+            _fill(bar.addMenu(title), items, self)
+        view = bar.addMenu("&View")
+        view.addMenu(self.layers)
+        _submenu(view, "&Generating line on", self.flanks)
+        view.addSeparator()
+        view.addActions(self.views.actions())
+        view.addSeparator()
+        self.panels = view.addMenu("&Panels")
+        _submenu(view, "&Theme", self.schemes)
+        view.addAction(self["reset_layout"])
+        model = bar.addMenu("&Model")
+        _fill(model, ("rebuild", "cancel", "restart"), self)
+        for group in (self.members, self.methods, self.variants):
+            model.addSeparator()
+            model.addActions(group.actions())
+        _fill(bar.addMenu("&Help"), ("about", "diagnostics"), self)
+
+
+def check(group: QActionGroup, identifier: str) -> None:
+    """Tick the choice of a group without announcing it."""
+    for action in group.actions():
+        if action.data() == identifier:
+            action.setChecked(True)
+
+
+def _numbered(identifiers: tuple[str, ...], titles: dict[str, str]) -> list[tuple[str, str, str]]:
+    return [(identifier, titles[identifier], f"Ctrl+{number}") for number, identifier in enumerate(identifiers, 2)]
+
+
+def _submenu(menu: QMenu, title: str, group: QActionGroup) -> None:
+    menu.addMenu(title).addActions(group.actions())
+
+
+def _fill(menu: QMenu, items: tuple[str | QMenu, ...], actions: Actions) -> None:
+    for item in items:
+        if isinstance(item, QMenu):
+            menu.addMenu(item)
+        elif item:
+            menu.addAction(actions[item])
+        else:
+            menu.addSeparator()

@@ -1,0 +1,169 @@
+"""The application: starts Qt, shows the window at once, then brings in the heavy parts one after the other."""
+
+from __future__ import annotations
+
+import argparse
+import logging
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+
+from PySide6.QtCore import QCoreApplication, QObject, QSettings, Qt, Slot
+from PySide6.QtGui import QGuiApplication, QSurfaceFormat
+from PySide6.QtWidgets import QApplication
+
+from ui.controller import Controller
+from ui.diagnostics import CrashCatcher, log_path, log_tail, start_logging, versions
+from ui.files import Files
+from ui.loading import Loader
+from ui.main_window import MainWindow
+from ui.messages import ReportDialog
+from ui.session import Session
+from ui.theme import Theme, is_dark
+
+log = logging.getLogger(__name__)
+SCHEMES = {
+    "system": Qt.ColorScheme.Unknown,
+    "light": Qt.ColorScheme.Light,
+    "dark": Qt.ColorScheme.Dark,
+}
+
+
+def prepare_qt() -> None:
+    """What must be set before there is an application: shared contexts, and a format that VTK can draw with."""
+    QCoreApplication.setAttribute(Qt.ApplicationAttribute.AA_ShareOpenGLContexts)
+    surface = QSurfaceFormat()
+    surface.setRenderableType(QSurfaceFormat.RenderableType.OpenGL)
+    surface.setProfile(QSurfaceFormat.OpenGLContextProfile.CoreProfile)
+    surface.setVersion(3, 2)
+    surface.setDepthBufferSize(24)
+    surface.setStencilBufferSize(8)
+    surface.setSamples(0)
+    QSurfaceFormat.setDefaultFormat(surface)
+    policy = Qt.HighDpiScaleFactorRoundingPolicy.PassThrough
+    QGuiApplication.setHighDpiScaleFactorRoundingPolicy(policy)
+
+
+def make_application(argv: Sequence[str]) -> QApplication:
+    """The one QApplication, named for settings and log."""
+    prepare_qt()
+    application = QApplication([argv[0] if argv else "gearstudio"])
+    application.setApplicationName("GearStudio")
+    application.setOrganizationName("GearStudio")
+    application.setDesktopFileName("gearstudio")
+    return application
+
+
+class Studio(QObject):
+    """A window with everything behind it; the heavy parts come after the first paint."""
+
+    def __init__(self, theme: Theme, settings: QSettings | None = None, path: Path | None = None) -> None:
+        super().__init__()
+        self._theme, self._path = theme, path
+        self.session = Session(self)
+        self.window = MainWindow(self.session, settings)
+        self.files = Files(self.session, self.window)
+        self.controller = Controller(self.session, self.window, self.files)
+        self.loader = Loader(parent=self)
+        self._dialogs: list[ReportDialog] = []
+        self.loader.loaded.connect(self._on_loaded)
+        self.loader.failed.connect(self._on_failed)
+        self.window.first_painted.connect(self.loader.start)
+        self.window.closing.connect(self.loader.stop)
+        theme.changed.connect(lambda _tokens: self.controller.refresh_theme(is_dark()))
+        self._connect_help()
+
+    @Slot(str)
+    def report_crash(self, report: str) -> None:
+        """Tell the user of an unexpected error; the window goes on."""
+        words = (
+            "Something unexpected went wrong. The window goes on, and the design is still there: save it under a "
+            f"new name to be safe. The report below helps to mend the fault; it is also in {log_path()}."
+        )
+        if not any(dialog.isVisible() for dialog in self._dialogs):
+            self._show_report("Unexpected error", words, report)
+
+    def _on_loaded(self, stage: str) -> None:
+        log.info("loaded: %s", stage)
+        if stage == "core":
+            self._fill_presets()
+            self.controller.begin(self._path)
+        elif stage == "worker":
+            from ui.runner import JobRunner
+
+            log_file = log_path().with_name("cad.log")
+            self.controller.use_runner(JobRunner(self, log=str(log_file) if log_file.parent.is_dir() else None))
+        elif stage == "views":
+            self._make_views()
+
+    def _on_failed(self, stage: str, text: str, details: str) -> None:
+        if stage == "views":
+            self.window.area.placeholder.set_text("The 3D view could not be loaded.", waiting=False)
+        self.window.messages.show_message("error", f"A part of GearStudio could not be loaded: {text}", details)
+
+    def _make_views(self) -> None:
+        from ui.color_bar import ColorBar
+        from ui.roll_slider import RollSlider
+        from ui.view_grid import ViewGrid
+
+        grid = ViewGrid()
+        grid.set_theme(is_dark())
+        self.window.area.adopt(grid, ColorBar(), RollSlider())
+        self.controller.views_ready()
+
+    def _fill_presets(self) -> None:
+        from gearstudio.presets import PRESETS
+
+        menu = self.window.commands.presets
+        menu.setToolTipsVisible(True)
+        for preset in PRESETS:
+            action = menu.addAction(preset.title)
+            action.setToolTip(preset.description)
+            action.triggered.connect(lambda _checked=False, chosen=preset: self.files.open_preset(chosen))
+
+    def _connect_help(self) -> None:
+        commands, clipboard = self.window.commands, QGuiApplication.clipboard()
+        commands["about"].triggered.connect(self._show_about)
+        commands["diagnostics"].triggered.connect(lambda: clipboard.setText(self._diagnostics()))
+        commands["copy_table"].triggered.connect(lambda: clipboard.setText(self.window.table.text_table()))
+        commands["copy_derived"].triggered.connect(lambda: clipboard.setText(self.window.derived.text_table()))
+        commands.schemes.triggered.connect(lambda action: self._theme.choose(SCHEMES[action.data()]))
+
+    def _show_about(self) -> None:
+        words = (
+            "<b>GearStudio</b><br>Spiral bevel gears from the exact spherical involute: three ways to model the tooth "
+            "flanks, side by side, and how far each is from theory.<br>Apache License 2.0"
+        )
+        self._show_report("About GearStudio", words, versions())
+
+    def _diagnostics(self) -> str:
+        draft = "\n".join(f"{field} = {value!r}" for field, value in self.session.draft.items())
+        return f"{versions()}\n\n{draft}\n\n{log_tail()}"
+
+    def _show_report(self, title: str, words: str, report: str) -> None:
+        dialog = ReportDialog(title, words, report, self.window)
+        dialog.finished.connect(lambda _result: self._dialogs.remove(dialog))
+        self._dialogs.append(dialog)
+        dialog.open()
+
+
+def main(argv: Sequence[str] | None = None) -> int:
+    """Open the window: ``[DESIGN]``, or ``--demo DIR`` to leave a picture of it in a folder. The exit status."""
+    arguments = list(sys.argv[1:] if argv is None else argv)
+    parser = argparse.ArgumentParser(prog="gearstudio", description="Desktop studio for spiral bevel gears")
+    parser.add_argument("design", nargs="?", type=Path, help="design file (.gear.toml)")
+    parser.add_argument("--demo", type=Path, metavar="DIR", help="save a picture of the window in DIR and leave")
+    options = parser.parse_args(arguments)
+    application = make_application(sys.argv)
+    start_logging()
+    theme = Theme(application)
+    if options.demo is not None:
+        from ui.demo import run_and_leave
+
+        return run_and_leave(options.demo, theme, options.design)
+    studio = Studio(theme, QSettings(), options.design)
+    catcher = CrashCatcher(application)
+    catcher.crashed.connect(studio.report_crash)
+    catcher.install()
+    studio.window.show()
+    return application.exec()

@@ -1,0 +1,133 @@
+"""What the CAD process is asked to build, and when: after the last edit, what is seen first."""
+
+from __future__ import annotations
+
+import logging
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject, Signal, Slot
+
+from ui.debounce import Debounce
+from ui.formatting import METHOD_TITLES, VARIANT_TITLES
+from ui.session import Failure, Key, Session
+
+if TYPE_CHECKING:
+    from gearstudio.jobs import BuildJob, Job
+    from gearstudio.results import VariantResult
+    from ui.runner import JobRunner
+
+EDIT_PAUSE_MS = 200
+log = logging.getLogger(__name__)
+
+
+class Builds(QObject):
+    """Keeps the session's results up to date with its design, through a runner.
+
+    Signals
+    -------
+    work_changed(object, float)
+        What is being done, as text, or None; and the fraction of the whole request that is done.
+    other_job_done(object, object), other_job_failed(object, str, str)
+        Passed on for jobs that are no builds (exports).
+    """
+
+    work_changed = Signal(object, float)
+    other_job_done = Signal(object, object)
+    other_job_failed = Signal(object, str, str)
+
+    def __init__(self, session: Session, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._session = session
+        self._runner: JobRunner | None = None
+        self._awaited: dict[Key, BuildJob] = {}
+        self._requested = 0
+        self.pause = Debounce(EDIT_PAUSE_MS, self)
+        self.pause.settled.connect(self.build_missing)
+
+    def use(self, runner: JobRunner) -> None:
+        """Work through this runner from now on."""
+        self._runner = runner
+        runner.job_started.connect(self._on_started)
+        runner.job_progressed.connect(self._on_progressed)
+        runner.job_done.connect(self._on_done)
+        runner.job_failed.connect(self._on_failed)
+        runner.job_cancelled.connect(self._on_cancelled)
+        runner.queue_changed.connect(self._on_queue_changed)
+
+    @Slot()
+    def build_soon(self) -> None:
+        """The design has changed: build when it has come to rest."""
+        self.pause.push()
+
+    @Slot()
+    def build_missing(self) -> None:
+        """Ask for everything that the chosen member lacks, unless it is on its way already."""
+        if self._runner is None or self._session.pair is None:
+            return
+        from gearstudio.jobs import BuildJob
+
+        design = self._session.design
+        missing = self._session.missing_keys()
+        if not missing or all(key in self._awaited and self._awaited[key].design == design for key in missing):
+            return
+        jobs = {key: BuildJob(design, *key) for key in missing}
+        self._awaited, self._requested = jobs, len(jobs)
+        self._session.put_building(None)
+        self._runner.submit(tuple(jobs.values()))
+
+    @Slot()
+    def rebuild(self) -> None:
+        """Build everything again, as if nothing had been built."""
+        self._awaited.clear()
+        self._session.forget_results()
+        self.build_missing()
+
+    def _on_started(self, job: Job) -> None:
+        self._session.put_building(self._key(job))
+        self._announce(job, 0.0)
+
+    def _on_progressed(self, job: Job, stage: str, fraction: float) -> None:
+        self._announce(job, fraction)
+
+    def _on_done(self, job: Job, result: VariantResult) -> None:
+        key = self._key(job)
+        if key is None:
+            self.other_job_done.emit(job, result)
+            return
+        self._awaited.pop(key, None)
+        self._session.put_result(job.design, result)
+
+    def _on_failed(self, job: Job, text: str, details: str) -> None:
+        if details:
+            log.error("%s failed: %s\n%s", job.label, text, details)
+        key = self._key(job)
+        if key is None:
+            self.other_job_failed.emit(job, text, details)
+            return
+        self._awaited.pop(key, None)
+        self._session.put_failure(job.design, key, Failure(text, details))
+
+    def _on_cancelled(self, job: Job) -> None:
+        key = self._key(job)
+        if key is not None:
+            self._awaited.pop(key, None)
+            self._session.put_cancelled(job.design, key)
+
+    def _on_queue_changed(self, count: int) -> None:
+        if count == 0:
+            self.work_changed.emit(None, 1.0)
+
+    def _announce(self, job: Job, fraction: float) -> None:
+        key = self._key(job)
+        if key is None:
+            self.work_changed.emit(f"Exporting {job.label}", fraction)
+            return
+        done = self._requested - len(self._awaited)
+        text = f"Building {METHOD_TITLES[key.method]}, {VARIANT_TITLES[key.variant].lower()}"
+        self.work_changed.emit(f"{text} ({done + 1} of {self._requested})", (done + fraction) / max(self._requested, 1))
+
+    def _key(self, job: Job) -> Key | None:
+        """The result that a job makes; None for a job that is no build."""
+        if job.purpose != "build":
+            return None
+        return Key(job.member, job.method, job.variant)

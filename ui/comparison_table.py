@@ -1,0 +1,229 @@
+"""All methods in all variants, with their deviations, side by side in a table."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from PySide6.QtCore import QAbstractTableModel, QEvent, QItemSelectionModel, QModelIndex, Qt, Signal
+from PySide6.QtGui import QBrush, QColor, QFont, QFontMetrics
+from PySide6.QtWidgets import QAbstractItemView, QFrame, QHeaderView, QTableView, QVBoxLayout, QWidget
+
+from gearstudio.catalogue import METHOD_IDS, VARIANTS
+from ui.formatting import METHOD_TITLES, MINUS, VARIANT_TITLES, micrometres, seconds, settings_text, span
+from ui.session import Key, Session
+from ui.theme import tokens
+
+if TYPE_CHECKING:
+    from gearstudio.results import VariantResult
+
+
+@dataclass(frozen=True)
+class Column:
+    """A column: its heading, what it means, how it is read from a result, and the widest text in it."""
+
+    title: str
+    tip: str
+    read: Callable[[VariantResult], str]
+    widest: str
+
+
+def _deviation(title: str, tip: str, name: str) -> Column:
+    return Column(title, tip, lambda result: micrometres(getattr(result.statistics, name)), "0.0555 nm")
+
+
+COLUMNS = (
+    _deviation("Max", "Largest deviation from the exact flank, over both flanks", "max_um"),
+    _deviation("Mean", "Mean of the absolute deviations", "mean_um"),
+    _deviation("Rms", "Root of the mean square deviation", "rms_um"),
+    Column(
+        "Lowest … highest",
+        "Signed extremes: most metal missing, most metal added",
+        lambda r: span(r.statistics.lowest_um, r.statistics.highest_um),
+        f"{MINUS}0.555 … +0.555 µm",
+    ),
+    Column("Poles", "Control points of the surface, u × v", lambda r: f"{r.poles[0]} × {r.poles[1]}", "55 × 55"),
+    Column("Degree", "Degree of the surface, u × v", lambda r: f"{r.degree[0]} × {r.degree[1]}", "Degree"),
+    Column("Time", "Building alone, both flanks", lambda r: seconds(r.seconds), "5.55 ms"),
+    Column("Settings", "What the construction took", lambda r: settings_text(r.settings), ""),
+)
+METHOD, VARIANT, FIRST = 0, 1, 2
+CELL_PADDING = 17
+SETTINGS = FIRST + len(COLUMNS) - 1
+_LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
+_RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+_Index = QModelIndex | Any
+
+
+class ComparisonModel(QAbstractTableModel):
+    """Rows are method and variant; the values are those of the session's member."""
+
+    def __init__(self, session: Session) -> None:
+        super().__init__()
+        self._session = session
+        self.rows = tuple((method, variant) for method in METHOD_IDS for variant in VARIANTS)
+
+    def key(self, row: int) -> Key:
+        """The result that a row shows."""
+        return Key(self._session.member, *self.rows[row])
+
+    def refresh(self) -> None:
+        """Everything may have changed."""
+        self.dataChanged.emit(self.index(0, 0), self.index(len(self.rows) - 1, SETTINGS))
+
+    def rowCount(self, parent: _Index = QModelIndex()) -> int:  # noqa: B008 - Qt's signature
+        return 0 if parent.isValid() else len(self.rows)
+
+    def columnCount(self, parent: _Index = QModelIndex()) -> int:  # noqa: B008
+        return 0 if parent.isValid() else FIRST + len(COLUMNS)
+
+    def headerData(self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
+        if orientation is not Qt.Orientation.Horizontal:
+            return None
+        if role == Qt.ItemDataRole.DisplayRole:
+            return ("Method", "Variant")[section] if section < FIRST else COLUMNS[section - FIRST].title
+        if role == Qt.ItemDataRole.ToolTipRole and section >= FIRST:
+            return COLUMNS[section - FIRST].tip
+        if role == Qt.ItemDataRole.TextAlignmentRole:
+            return _alignment(section)
+        return None
+
+    def data(self, index: _Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
+        key = self.key(index.row())
+        if role == Qt.ItemDataRole.DisplayRole:
+            return self._text(key, index.column())
+        if role == Qt.ItemDataRole.ToolTipRole:
+            return self._tip(key, index.column())
+        if role == Qt.ItemDataRole.TextAlignmentRole:
+            return _alignment(index.column())
+        if role == Qt.ItemDataRole.ForegroundRole:
+            return self._brush(key, index.column())
+        if role == Qt.ItemDataRole.FontRole and key in self._session.visible_keys and index.column() <= FIRST:
+            font = QFont()
+            font.setBold(True)
+            return font
+        return None
+
+    def _text(self, key: Key, column: int) -> str:
+        if column == METHOD:
+            return METHOD_TITLES[key.method]
+        if column == VARIANT:
+            return VARIANT_TITLES[key.variant]
+        session = self._session
+        if column == SETTINGS and key in session.failures:
+            return session.failures[key].message
+        result = session.results.get(key)
+        if column == SETTINGS and key not in session.current:
+            return "building…" if key == session.building else "updating…" if result else "waiting…"
+        return COLUMNS[column - FIRST].read(result) if result else "–"
+
+    def _tip(self, key: Key, column: int) -> str | None:
+        if key in self._session.failures:
+            return f"{self._session.failures[key].message}\nClick to see it in the view."
+        return self._text(key, column) if column == SETTINGS else None
+
+    def _brush(self, key: Key, column: int) -> QBrush | None:
+        if column < FIRST:
+            return None
+        if key in self._session.failures:
+            return QBrush(QColor(tokens().error))
+        if column == SETTINGS:
+            return QBrush(QColor(tokens().muted))
+        return None if key in self._session.current else QBrush(QColor(tokens().faint))
+
+
+class ComparisonTable(QWidget):
+    """The table; a click on a row asks for that method and variant.
+
+    Signals
+    -------
+    row_chosen(str, str)
+        Method and variant.
+    """
+
+    row_chosen = Signal(str, str)
+
+    def __init__(self, session: Session, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.model = ComparisonModel(session)
+        self.view = _make_view(self.model)
+        self.view.clicked.connect(self._on_activated)
+        self.view.activated.connect(self._on_activated)
+        card = QFrame()
+        card.setProperty("role", "card")
+        inside = QVBoxLayout(card)
+        inside.setContentsMargins(1, 1, 1, 1)
+        inside.addWidget(self.view)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(4, 0, 8, 6)
+        layout.addWidget(card)
+        self._size_columns()
+        self.setFixedHeight(self.view.horizontalHeader().sizeHint().height() + 6 * self._row_height() + 18)
+
+    def refresh(self) -> None:
+        """Show the session's results again."""
+        self.model.refresh()
+
+    def mark(self, method: str, variant: str) -> None:
+        """Highlight the row of a method and variant; none while all three are shown."""
+        selection = self.view.selectionModel()
+        if (method, variant) in self.model.rows:
+            index = self.model.index(self.model.rows.index((method, variant)), 0)
+            flags = QItemSelectionModel.SelectionFlag.ClearAndSelect | QItemSelectionModel.SelectionFlag.Rows
+            selection.select(index, flags)
+        else:
+            selection.clearSelection()
+        self.refresh()
+
+    def text_table(self) -> str:
+        """The whole table as tab-separated text."""
+        columns = range(self.model.columnCount())
+        head = [self.model.headerData(column, Qt.Orientation.Horizontal) for column in columns]
+        body = [[self.model.data(self.model.index(row, column)) for column in columns] for row in range(6)]
+        return "\n".join("\t".join(cells) for cells in [head, *body])
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.FontChange:
+            self._size_columns()
+
+    def _row_height(self) -> int:
+        return self.view.verticalHeader().defaultSectionSize()
+
+    def _size_columns(self) -> None:
+        font = self.view.font()
+        font.setBold(True)
+        metrics = QFontMetrics(font)
+        widest = [METHOD_TITLES.values(), VARIANT_TITLES.values(), *([column.widest] for column in COLUMNS[:-1])]
+        for column, texts in enumerate(widest):
+            width = max(metrics.horizontalAdvance(text) for text in texts)
+            self.view.setColumnWidth(column, width + CELL_PADDING)
+
+    def _on_activated(self, index: QModelIndex) -> None:
+        self.row_chosen.emit(*self.model.rows[index.row()])
+
+
+def _make_view(model: ComparisonModel) -> QTableView:
+    view = QTableView()
+    view.setModel(model)
+    view.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
+    view.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
+    view.setAlternatingRowColors(True)
+    view.setShowGrid(False)
+    view.setWordWrap(False)
+    view.setTabKeyNavigation(False)
+    view.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+    view.setAccessibleName("Comparison of all methods and variants")
+    view.verticalHeader().hide()
+    view.verticalHeader().setDefaultSectionSize(view.fontMetrics().height() + 9)
+    header = view.horizontalHeader()
+    header.setHighlightSections(False)
+    header.setSectionResizeMode(QHeaderView.ResizeMode.Interactive)
+    header.setSectionResizeMode(SETTINGS, QHeaderView.ResizeMode.Stretch)
+    header.setMinimumSectionSize(40)
+    return view
+
+
+def _alignment(column: int) -> Qt.AlignmentFlag:
+    return _LEFT if column < FIRST or column == SETTINGS else _RIGHT

@@ -1,0 +1,264 @@
+"""The only place that connects: what the user does to the session, and the session to what is shown."""
+
+from __future__ import annotations
+
+import logging
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from PySide6.QtCore import QObject, Signal
+
+from ui.applicability import derived_hints, idle_fields
+from ui.builds import Builds
+from ui.presenter import Presenter
+from ui.session import Key, Session
+from ui.undo import History
+
+if TYPE_CHECKING:
+    from gearstudio.jobs import Job
+    from ui.files import Files
+    from ui.main_window import MainWindow
+    from ui.runner import JobRunner
+
+log = logging.getLogger(__name__)
+
+
+class Controller(QObject):
+    """Wires a window to a session.
+
+    The heavy parts are handed in when they are loaded, in this order: the core (:meth:`begin`), the CAD
+    process (:meth:`use_runner`), the views (:meth:`views_ready`).
+
+    Signals
+    -------
+    settled()
+        Nothing of the chosen member remains to be built.
+    """
+
+    settled = Signal()
+
+    def __init__(self, session: Session, window: MainWindow, files: Files) -> None:
+        super().__init__(window)
+        self.session, self.window, self.files = session, window, files
+        self.history = History()
+        self.builds = Builds(session, self)
+        self.presenter = Presenter(session, window.area, self)
+        self.runner: JobRunner | None = None
+        self._connect_form()
+        self._connect_selection()
+        self._connect_results()
+        self._connect_commands()
+        window.form.set_values(session.draft)
+        window.form.set_idle(idle_fields(session.draft))
+        self._on_selection_changed()
+        self._on_document_changed()
+
+    # ---- heavy parts arrive --------------------------------------------------------------------------
+
+    def begin(self, path: Path | None = None) -> None:
+        """The core is loaded: judge the default design, or open a file."""
+        self.session.load(self.session.design)
+        if path is not None:
+            self.files.open_path(path)
+
+    def use_runner(self, runner: JobRunner) -> None:
+        """The CAD process can be started."""
+        self.runner = runner
+        runner.worker_state_changed.connect(self._on_worker_state_changed)
+        self.builds.use(runner)
+        runner.start()
+        self.builds.build_missing()
+
+    def views_ready(self) -> None:
+        """The window has its views now."""
+        area, panel = self.window.area, self.window.layer_panel
+        grid, bar, slider = area.grid, area.color_bar, area.roll_slider
+        assert grid is not None and bar is not None and slider is not None
+        grid.hovered.connect(self._on_hovered)
+        bar.limit_changed.connect(self.presenter.apply_color_range)
+        slider.rolled.connect(self.presenter.set_roll)
+        panel.layer_switched.connect(self._on_layer_switched)
+        panel.set_chosen.connect(self._on_layer_set_chosen)
+        panel.show_visible(grid.visible_layers)
+        self.window.commands.views.triggered.connect(lambda action: grid.set_view(action.data()))
+        self.presenter.redraw()
+
+    def refresh_theme(self, dark: bool) -> None:
+        """The colours have changed."""
+        self.window.refresh_theme()
+        if self.window.area.grid is not None:
+            self.window.area.grid.set_theme(dark)
+
+    def close(self) -> None:
+        """End the work in progress and the CAD process."""
+        self.builds.pause.cancel()
+        if self.runner is not None:
+            self.runner.close()
+
+    # ---- wiring --------------------------------------------------------------------------------------
+
+    def _connect_form(self) -> None:
+        session, window = self.session, self.window
+        window.form.field_edited.connect(self._on_field_edited)
+        session.draft_replaced.connect(self._on_draft_replaced)
+        session.issues_changed.connect(window.form.show_issues)
+        session.design_changed.connect(self._on_design_changed)
+        session.document_changed.connect(self._on_document_changed)
+        self.files.opened.connect(self.history.clear)
+        self.files.opened.connect(self._on_document_changed)
+
+    def _connect_selection(self) -> None:
+        session, bar, commands = self.session, self.window.method_bar, self.window.commands
+        bar.member_chosen.connect(lambda member: session.select(member=member))
+        bar.method_chosen.connect(lambda method: session.select(method=method))
+        bar.variant_chosen.connect(lambda variant: session.select(variant=variant))
+        self.window.table.row_chosen.connect(lambda method, variant: session.select(method=method, variant=variant))
+        commands.members.triggered.connect(lambda action: session.select(member=action.data()))
+        commands.methods.triggered.connect(lambda action: session.select(method=action.data()))
+        commands.variants.triggered.connect(lambda action: session.select(variant=action.data()))
+        commands.flanks.triggered.connect(lambda action: self.presenter.set_flank(action.data()))
+        session.selection_changed.connect(self._on_selection_changed)
+
+    def _connect_results(self) -> None:
+        self.session.results_changed.connect(self._on_results_changed)
+        self.builds.work_changed.connect(self._on_work_changed)
+        self.builds.other_job_done.connect(self._on_export_done)
+        self.builds.other_job_failed.connect(self._on_export_failed)
+        self.window.status.cancel_requested.connect(self._cancel)
+
+    def _connect_commands(self) -> None:
+        window, files, commands = self.window, self.files, self.window.commands
+        handlers = {
+            "new": files.new,
+            "open": files.open,
+            "save": files.save,
+            "save_as": files.save_as,
+            "export": files.export,
+            "screenshot": files.screenshot,
+            "quit": window.close,
+            "undo": lambda: self._restore(self.history.undo()),
+            "redo": lambda: self._restore(self.history.redo()),
+            "rebuild": self.builds.rebuild,
+            "cancel": self._cancel,
+            "restart": self._restart,
+            "reset_layout": window.reset_layout,
+        }
+        for name, handler in handlers.items():
+            commands[name].triggered.connect(lambda _checked=False, run=handler: run())
+        window.design_dropped.connect(files.open_path)
+        files.export_requested.connect(self._on_export_requested)
+        window.may_close = files.may_discard
+        window.closing.connect(self.close)
+        commands["cancel"].setEnabled(False)
+
+    # ---- what the user does --------------------------------------------------------------------------
+
+    def _on_field_edited(self, field: str, value: Any) -> None:
+        before = dict(self.session.draft)
+        self.session.edit(field, value)
+        self.history.record(field, before, self.session.draft)
+        self.window.form.set_idle(idle_fields(self.session.draft))
+        self._show_history()
+
+    def _restore(self, draft: Any) -> None:
+        if draft is not None:
+            self.session.restore(draft)
+            self._show_history()
+
+    def _cancel(self) -> None:
+        self.builds.pause.cancel()
+        if self.runner is not None:
+            self.runner.cancel()
+
+    def _restart(self) -> None:
+        if self.runner is not None:
+            self.runner.restart()
+
+    def _on_export_requested(self, job: Job) -> None:
+        if self.runner is not None:
+            self.runner.submit((job,))
+
+    def _on_layer_switched(self, layer_id: str, visible: bool) -> None:
+        grid = self.window.area.grid
+        if grid is not None:
+            grid.set_layer_visible(layer_id, visible)
+            self.window.layer_panel.show_visible(grid.visible_layers)
+
+    def _on_layer_set_chosen(self, layer_ids: frozenset[str]) -> None:
+        grid = self.window.area.grid
+        if grid is not None:
+            grid.set_visible_layers(layer_ids)
+            self.window.layer_panel.show_visible(layer_ids)
+
+    # ---- what is shown -------------------------------------------------------------------------------
+
+    def _on_draft_replaced(self) -> None:
+        self.window.form.set_values(self.session.draft)
+        self.window.form.set_idle(idle_fields(self.session.draft))
+
+    def _on_design_changed(self, design: object) -> None:
+        session, window = self.session, self.window
+        assert session.pair is not None
+        window.derived.show_pair(session.pair)
+        window.form.set_hints(derived_hints(session.design, session.pair))
+        self.presenter.redraw_soon()
+        window.table.refresh()
+        self.builds.build_soon()
+
+    def _on_selection_changed(self) -> None:
+        session, window = self.session, self.window
+        window.method_bar.show_selection(session.member, session.method, session.variant)
+        window.commands.show_selection(session.member, session.method, session.variant)
+        window.table.mark(session.method, session.variant)
+        self.presenter.redraw_soon()
+        self.builds.build_missing()
+
+    def _on_results_changed(self, key: Key | None) -> None:
+        session = self.session
+        self.window.table.refresh()
+        if key is None or key in session.visible_keys:
+            self.presenter.redraw_soon()
+        failed = [k for k in session.visible_keys if k in session.failures and session.failures[k].details]
+        if key is not None and key in failed:
+            failure = session.failures[key]
+            self.window.messages.show_message("error", failure.message, failure.details, topic="build")
+        elif not failed:
+            self.window.messages.clear("build")
+        if not session.missing_keys():
+            self.settled.emit()
+
+    def _on_work_changed(self, text: str | None, fraction: float) -> None:
+        self.window.status.show_work(text, fraction)
+        self.window.commands["cancel"].setEnabled(text is not None)
+
+    def _on_worker_state_changed(self, state: str, reason: str) -> None:
+        log.info("CAD process: %s %s", state, reason)
+        self.window.status.show_worker(state)
+        if state == "replaced":
+            text = "The CAD kernel stopped unexpectedly and is being restarted; nothing of the design is lost."
+            self.window.messages.show_message("warning", text, reason, topic="worker")
+        elif state == "stopped" and reason:
+            text = "The CAD kernel could not be started. Model ▸ Restart CAD kernel tries again."
+            self.window.messages.show_message("error", text, reason, topic="worker")
+        elif state in ("ready", "busy"):
+            self.window.messages.clear("worker")
+
+    def _on_export_done(self, job: Job, files: Any) -> None:
+        text = "Wrote " + ", ".join(f"{file.path} ({file.size / 1000:.0f} kB)" for file in files)
+        self.window.messages.show_message("info", text, topic="export")
+
+    def _on_export_failed(self, job: Job, text: str, details: str) -> None:
+        self.window.messages.show_message("error", f"The export failed: {text}", details, topic="export")
+
+    def _on_hovered(self, hover: Any) -> None:
+        self.window.status.show_hover(hover)
+        if self.window.area.color_bar is not None:
+            self.window.area.color_bar.set_marker(None if hover is None else hover.deviation_um)
+
+    def _on_document_changed(self) -> None:
+        self.window.show_document(self.session.title, self.session.unsaved)
+        self._show_history()
+
+    def _show_history(self) -> None:
+        self.window.commands["undo"].setEnabled(bool(self.history.undo_label))
+        self.window.commands["redo"].setEnabled(bool(self.history.redo_label))

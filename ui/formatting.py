@@ -1,0 +1,119 @@
+"""Numbers and words as the window shows them."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Mapping
+from html import escape
+from typing import Any
+
+from gearstudio.catalogue import METHOD_INFOS
+
+MINUS = "\N{MINUS SIGN}"
+NUMBER = re.compile(r"[+-]?(\d+([.,]\d*)?|[.,]\d+)([eE][+-]?\d+)?", re.ASCII)
+
+METHOD_TITLES = {info.id: info.title for info in METHOD_INFOS}
+VARIANT_TITLES = {"published": "Published", "optimised": "Optimised"}
+MEMBER_TITLES = {"pinion": "Pinion", "wheel": "Wheel"}
+CHOICE_TITLES = {
+    "normal": "Normal, mean point",
+    "transverse": "Transverse",
+    "left": "Left hand",
+    "right": "Right hand",
+    "archimedean": "Archimedean spiral",
+    "circular_arc": "Circular arc (milled)",
+    "logarithmic": "Logarithmic spiral",
+    "mean": "Mean, pitch cone",
+    "toe": "Toe, base cone",
+    "common_apex": "Common apex",
+    "constant_clearance": "Constant clearance",
+    "back_cone": "Back cones",
+    "sphere": "Spheres",
+}
+
+
+def significant(value: float, digits: int = 3) -> str:
+    """A number with so many significant digits, without an exponent, a true minus sign before negatives."""
+    if not math.isfinite(value):
+        return "–"
+    if value == 0:
+        return "0"
+    rounded = float(f"{value:.{digits - 1}e}")
+    decimals = max(0, digits - 1 - math.floor(math.log10(abs(rounded))))
+    return f"{rounded:.{decimals}f}".replace("-", MINUS)
+
+
+def micrometres(value_um: float) -> str:
+    """A deviation for a title, in the unit that reads best: ``54.6 µm``, ``31.2 nm``, ``< 0.01 nm``."""
+    size = abs(value_um)
+    if size >= 0.1:
+        return f"{significant(value_um)} µm"
+    if size >= 1e-5:
+        return f"{significant(value_um * 1e3)} nm"
+    return "< 0.01 nm"
+
+
+def span(lowest_um: float, highest_um: float) -> str:
+    """Two signed deviations in one unit: ``−46.7 … +42.7 µm``."""
+    largest = max(abs(lowest_um), abs(highest_um))
+    unit, factor = ("µm", 1.0) if largest >= 0.1 else ("nm", 1e3)
+    low, high = (significant(value * factor) for value in (lowest_um, highest_um))
+    return f"{low} … {'+' if highest_um > 0 else ''}{high} {unit}"
+
+
+def seconds(value: float) -> str:
+    """A duration: ``12 ms``, ``1.24 s``."""
+    return f"{significant(value * 1e3, 2 if value < 0.1 else 3)} ms" if value < 1 else f"{significant(value)} s"
+
+
+def subscripts(symbol: str) -> str:
+    """A symbol as rich text: ``R_m`` with its index below, in the way theory writes it."""
+    return re.sub(r"_(\w)", r"<sub>\1</sub>", escape(symbol))
+
+
+def fixed(value: float, decimals: int) -> str:
+    """A derived value with fixed decimals; never ``-0.000``."""
+    text = f"{value:.{decimals}f}"
+    return text.lstrip("-") if float(text) == 0 else text.replace("-", MINUS)
+
+
+def settings_text(settings: Mapping[str, Any]) -> str:
+    """What a construction took, in one line: ``positions 9, samples 12 × 14``."""
+    return ", ".join(f"{key.replace('_', ' ')} {_setting(value)}" for key, value in settings.items())
+
+
+def _setting(value: Any) -> str:
+    if isinstance(value, bool):
+        return "yes" if value else "no"
+    if isinstance(value, float):
+        return f"{value:.4g}"
+    if isinstance(value, list | tuple):
+        return " × ".join(_setting(item) for item in value)
+    if isinstance(value, Mapping):
+        return f"({settings_text(value)})"
+    return str(value)
+
+
+def choice_title(value: str) -> str:
+    """A choice of the design file in words."""
+    return CHOICE_TITLES.get(value, value.replace("_", " ").capitalize())
+
+
+def number_text(value: float | int) -> str:
+    """A number as the user would type it: the shortest text that reads back as the same value."""
+    return str(value) if isinstance(value, int) else f"{value:.12g}"
+
+
+def parse_number(text: str) -> int | float | str:
+    """What was typed as a number, or the text itself when it is none.
+
+    Decimal point and comma both count; a whole number comes back as int. Nothing is clamped or rounded.
+    """
+    plain = text.strip().replace(MINUS, "-")
+    if not NUMBER.fullmatch(plain) or len(plain) > 40:
+        return text
+    value = float(plain.replace(",", "."))
+    if not math.isfinite(value):
+        return text
+    return int(plain) if plain.lstrip("+-").isdigit() else value

@@ -1,0 +1,64 @@
+"""Imports what is heavy in a thread, after the window has been painted."""
+
+from __future__ import annotations
+
+import importlib
+import logging
+import threading
+import traceback
+from collections.abc import Mapping, Sequence
+
+from PySide6.QtCore import QObject, Signal, Slot
+
+STAGES: Mapping[str, tuple[str, ...]] = {
+    "core": ("gearstudio.validation", "gearstudio.theory.cones", "gearstudio.project"),
+    "worker": ("gearstudio.jobs", "ui.runner"),
+    "views": ("ui.scene", "ui.color_bar", "ui.roll_slider", "ui.view_grid"),
+}
+log = logging.getLogger(__name__)
+
+
+class Loader(QObject):
+    """Imports modules in stages.
+
+    Signals
+    -------
+    loaded(str)
+        A stage is complete.
+    failed(str, str, str)
+        Stage, a line for the user, and the traceback.
+    """
+
+    loaded = Signal(str)
+    failed = Signal(str, str, str)
+
+    def __init__(self, stages: Mapping[str, Sequence[str]] = STAGES, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._stages = stages
+        self._thread = threading.Thread(target=self._run, name="imports", daemon=True)
+        self._stop = threading.Event()
+
+    @Slot()
+    def start(self) -> None:
+        """Begin."""
+        self._thread.start()
+
+    def stop(self) -> None:
+        """Ask it to end after the module it is at, and wait for that; no signal is acted on afterwards."""
+        self._stop.set()
+        if self._thread.is_alive():
+            self._thread.join()
+
+    def _run(self) -> None:
+        for stage, modules in self._stages.items():
+            try:
+                for module in modules:
+                    if self._stop.is_set():
+                        return
+                    importlib.import_module(module)
+            except Exception as error:
+                log.exception("importing %s failed", stage)
+                self.failed.emit(stage, f"{type(error).__name__}: {error}", traceback.format_exc())
+                continue
+            if not self._stop.is_set():
+                self.loaded.emit(stage)

@@ -1,0 +1,186 @@
+"""The window: puts the panels together, and knows nothing of what they mean."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+from PySide6.QtCore import QByteArray, QSettings, QSize, Qt, QTimer, Signal
+from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QIcon, QPaintEvent
+from PySide6.QtWidgets import QDockWidget, QMainWindow, QSizePolicy, QToolBar, QWidget
+
+from ui.actions import Actions
+from ui.comparison_table import ComparisonTable
+from ui.derived_panel import DerivedPanel
+from ui.layer_panel import LayerPanel
+from ui.messages import MessageBar
+from ui.method_bar import MethodBar
+from ui.parameter_form import ParameterForm
+from ui.session import Session
+from ui.status import Status
+from ui.theme import HERE, refresh_icons
+from ui.view_area import ViewArea
+
+LAYOUT_VERSION = 1
+ROOMY_WIDTH = 1500
+"""From this width on the list of layers is open from the start."""
+LEFT = Qt.DockWidgetArea.LeftDockWidgetArea
+RIGHT = Qt.DockWidgetArea.RightDockWidgetArea
+BOTTOM = Qt.DockWidgetArea.BottomDockWidgetArea
+
+
+class MainWindow(QMainWindow):
+    """Form and derived values on the left, views in the middle, layers on the right, comparison below.
+
+    ``may_close`` is asked before the window closes.
+
+    Signals
+    -------
+    first_painted()
+        The window is on the screen; heavy work may begin.
+    design_dropped(object)
+        Path of a design file that was dropped on the window.
+    closing()
+        The window is about to close for good.
+    """
+
+    first_painted = Signal()
+    design_dropped = Signal(object)
+    closing = Signal()
+
+    def __init__(self, session: Session, settings: QSettings | None = None) -> None:
+        super().__init__()
+        self.may_close: Callable[[], bool] = lambda: True
+        self._settings = settings
+        self._painted = self._closed = False
+        self.setObjectName("main_window")
+        self.setWindowIcon(QIcon(str(HERE / "icons" / "gearstudio.svg")))
+        self.setAcceptDrops(True)
+        self.setDockOptions(QMainWindow.DockOption.AnimatedDocks | QMainWindow.DockOption.AllowNestedDocks)
+        self.commands = Actions(self)
+        self.form = ParameterForm()
+        self.derived = DerivedPanel()
+        self.area = ViewArea()
+        self.layer_panel = LayerPanel()
+        self.table = ComparisonTable(session)
+        self.method_bar = MethodBar()
+        self.status = Status()
+        self.setStatusBar(self.status)
+        self.setCentralWidget(self.area)
+        self._make_toolbar()
+        self._make_docks()
+        self.setMinimumSize(960, 600)
+        self._restore()
+
+    @property
+    def messages(self) -> MessageBar:
+        """The message bar over the views."""
+        return self.area.messages
+
+    def show_document(self, title: str, unsaved: bool) -> None:
+        """Name of the design in the title bar, with the system's mark while it is unsaved."""
+        self.setWindowTitle(f"{title}[*] – GearStudio")
+        self.setWindowModified(unsaved)
+
+    def refresh_theme(self) -> None:
+        """Draw icons anew after the colours have changed."""
+        self.commands.refresh_icons()
+        self.messages.refresh_icons()
+        refresh_icons(self)
+        self.table.refresh()
+        for widget in self.findChildren(QWidget):
+            widget.update()
+
+    def reset_layout(self) -> None:
+        """Put every panel back in its place."""
+        for dock, area in self._docks.items():
+            dock.setFloating(False)
+            self.addDockWidget(area, dock)
+            dock.show()
+        parameters, derived, layers, comparison = self._docks
+        self.splitDockWidget(parameters, derived, Qt.Orientation.Vertical)
+        layers.setVisible(self.width() >= ROOMY_WIDTH)
+        self.resizeDocks([parameters, derived], [62, 38], Qt.Orientation.Vertical)
+        self.resizeDocks([parameters, layers], [356, layers.sizeHint().width()], Qt.Orientation.Horizontal)
+        self.resizeDocks([comparison], [comparison.sizeHint().height()], Qt.Orientation.Vertical)
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        super().paintEvent(event)
+        if not self._painted:
+            self._painted = True
+            QTimer.singleShot(0, self.first_painted)
+
+    def dragEnterEvent(self, event: QDragEnterEvent) -> None:
+        if _dropped_design(event) is not None:
+            event.acceptProposedAction()
+
+    def dropEvent(self, event: QDropEvent) -> None:
+        path = _dropped_design(event)
+        if path is not None:
+            event.acceptProposedAction()
+            QTimer.singleShot(0, lambda: self.design_dropped.emit(path))
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        if self._closed:
+            event.accept()
+            return
+        if not self.may_close():
+            event.ignore()
+            return
+        self._closed = True
+        if self._settings is not None:
+            self._settings.setValue("geometry", self.saveGeometry())
+            self._settings.setValue("layout", self.saveState(LAYOUT_VERSION))
+        self.closing.emit()
+        self.area.close_views()
+        event.accept()
+
+    def _make_toolbar(self) -> None:
+        toolbar = QToolBar("Commands")
+        toolbar.setObjectName("commands")
+        toolbar.setMovable(False)
+        toolbar.setIconSize(QSize(20, 20))
+        toolbar.setContextMenuPolicy(Qt.ContextMenuPolicy.PreventContextMenu)
+        self.commands.fill_toolbar(toolbar)
+        toolbar.addSeparator()
+        self.method_bar.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
+        toolbar.addWidget(self.method_bar)
+        self.addToolBar(toolbar)
+
+    def _make_docks(self) -> None:
+        for corner in (Qt.Corner.TopLeftCorner, Qt.Corner.BottomLeftCorner):
+            self.setCorner(corner, LEFT)
+        self.setCorner(Qt.Corner.BottomRightCorner, BOTTOM)
+        self._docks = {
+            self._dock("Parameters", self.form): LEFT,
+            self._dock("Derived values", self.derived): LEFT,
+            self._dock("Layers", self.layer_panel): RIGHT,
+            self._dock("Comparison", self.table): BOTTOM,
+        }
+        for dock in self._docks:
+            self.commands.panels.addAction(dock.toggleViewAction())
+
+    def _dock(self, title: str, widget: QWidget) -> QDockWidget:
+        dock = QDockWidget(title, self)
+        dock.setObjectName(title)
+        dock.setWidget(widget)
+        return dock
+
+    def _restore(self) -> None:
+        available = self.screen().availableGeometry()
+        self.resize(min(1480, available.width()), min(940, available.height() - 30))
+        self.reset_layout()
+        if self._settings is not None:
+            geometry, layout = (self._settings.value(name) for name in ("geometry", "layout"))
+            if isinstance(geometry, QByteArray) and isinstance(layout, QByteArray):
+                self.restoreGeometry(geometry)
+                self.restoreState(layout, LAYOUT_VERSION)
+
+
+def _dropped_design(event: QDropEvent) -> Path | None:
+    """The first local design file of a drop."""
+    for url in event.mimeData().urls():
+        path = Path(url.toLocalFile())
+        if url.isLocalFile() and path.suffix == ".toml":
+            return path
+    return None

@@ -1,0 +1,237 @@
+"""What the window is about: the design as typed, the last good design, the choice of views, the results."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from PySide6.QtCore import QObject, Signal
+
+from gearstudio.catalogue import METHOD_IDS, VARIANTS
+from gearstudio.design import Design, design_mapping
+from gearstudio.errors import GeometryError, Issue
+
+if TYPE_CHECKING:
+    from gearstudio.results import VariantResult
+    from gearstudio.theory.cones import PairGeometry
+
+ALL = "all"
+
+
+class Key(NamedTuple):
+    """Which result: member, method, variant."""
+
+    member: str
+    method: str
+    variant: str
+
+
+@dataclass(frozen=True)
+class Failure:
+    """Why a variant could not be built: one line for the user, and the rest for Details."""
+
+    message: str
+    details: str
+
+
+class Session(QObject):
+    """The state that the window shows; it knows no widget.
+
+    ``draft`` maps dotted field names to values as typed, good or not. ``design`` and ``pair`` are the last
+    good ones and change together. A result whose key is not in ``current`` belongs to an earlier design.
+
+    Signals
+    -------
+    draft_replaced()
+        Another design was loaded; every field may differ.
+    issues_changed(object)
+        tuple of Issue: everything wrong with the draft.
+    design_changed(object)
+        A new good Design; results of the previous one are stale.
+    selection_changed()
+        Member, method or variant.
+    results_changed(object)
+        The Key whose result, failure or progress changed, or None for all.
+    document_changed()
+        File name or unsaved state.
+    """
+
+    draft_replaced = Signal()
+    issues_changed = Signal(object)
+    design_changed = Signal(object)
+    selection_changed = Signal()
+    results_changed = Signal(object)
+    document_changed = Signal()
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self.design = Design()
+        self.pair: PairGeometry | None = None
+        self.draft: dict[str, Any] = flatten(self.design)
+        self.issues: tuple[Issue, ...] = ()
+        self.path: Path | None = None
+        self.member, self.method, self.variant = "wheel", ALL, "optimised"
+        self.results: dict[Key, VariantResult] = {}
+        self.current: set[Key] = set()
+        self.failures: dict[Key, Failure] = {}
+        self.building: Key | None = None
+        self._saved = dict(self.draft)
+
+    @property
+    def unsaved(self) -> bool:
+        """Whether the draft differs from what the file holds."""
+        return self.draft != self._saved
+
+    @property
+    def title(self) -> str:
+        """Name for the title bar."""
+        return self.path.name if self.path else str(self.draft.get("name") or "Untitled")
+
+    @property
+    def visible_methods(self) -> tuple[str, ...]:
+        """The methods that have a view, in order."""
+        return METHOD_IDS if self.method == ALL else (self.method,)
+
+    @property
+    def visible_keys(self) -> tuple[Key, ...]:
+        """The results that have a view, in order."""
+        return tuple(Key(self.member, method, self.variant) for method in self.visible_methods)
+
+    def edit(self, field: str, value: Any) -> None:
+        """Take a value as typed; when the whole draft is good, it becomes the design."""
+        if field in self.draft and _same(self.draft[field], value):
+            return
+        self.draft[field] = value
+        self._judge()
+        self.document_changed.emit()
+
+    def load(self, design: Design, path: Path | None = None, *, saved: bool = True) -> None:
+        """Start afresh from another design; with ``saved`` it counts as unchanged."""
+        self.draft = flatten(design)
+        self.path = path
+        self._saved = dict(self.draft) if saved else {}
+        self.results.clear()
+        self.draft_replaced.emit()
+        self._judge(force=True)
+        self.document_changed.emit()
+
+    def restore(self, draft: Mapping[str, Any]) -> None:
+        """Take a whole draft back, as undo does; results stay until they are replaced."""
+        self.draft = dict(draft)
+        self.draft_replaced.emit()
+        self._judge()
+        self.document_changed.emit()
+
+    def mark_saved(self, path: Path, design: Design) -> None:
+        """Remember that a file now holds this design."""
+        self.path, self._saved = path, flatten(design)
+        self.document_changed.emit()
+
+    def select(self, *, member: str | None = None, method: str | None = None, variant: str | None = None) -> None:
+        """Change what the views show."""
+        before = self.member, self.method, self.variant
+        self.member, self.method, self.variant = member or self.member, method or self.method, variant or self.variant
+        if before != (self.member, self.method, self.variant):
+            self.selection_changed.emit()
+
+    def missing_keys(self) -> tuple[Key, ...]:
+        """What remains to be built for the chosen member, the visible ones first."""
+        every = [Key(self.member, method, variant) for variant in VARIANTS for method in METHOD_IDS]
+        ordered = dict.fromkeys([*self.visible_keys, *every])
+        return tuple(key for key in ordered if key not in self.current and key not in self.failures)
+
+    def put_result(self, design: Design, result: VariantResult) -> None:
+        """Take a result, unless the design has moved on."""
+        key = Key(result.member, result.method, result.variant)
+        if design is self.design or design == self.design:
+            self.results[key] = result
+            self.current.add(key)
+            self.failures.pop(key, None)
+        self._settle(key)
+
+    def put_failure(self, design: Design, key: Key, failure: Failure) -> None:
+        """Note that a variant could not be built; an older result of it is dropped."""
+        if design is self.design or design == self.design:
+            self.failures[key] = failure
+            self.results.pop(key, None)
+            self.current.discard(key)
+        self._settle(key)
+
+    def put_cancelled(self, design: Design, key: Key) -> None:
+        """Note that the user stopped a build; an older result stays, marked as such."""
+        if design == self.design:
+            self.failures[key] = Failure("Cancelled; Rebuild builds it", "")
+        self._settle(key)
+
+    def put_building(self, key: Key | None) -> None:
+        """Note which variant the worker is at, None for none."""
+        before, self.building = self.building, key
+        for changed in {before, key} - {None}:
+            self.results_changed.emit(changed)
+
+    def forget_results(self, keys: Iterable[Key] | None = None) -> None:
+        """Treat results as stale, so that they are built again (None: all of them)."""
+        chosen = set(keys) if keys is not None else set(self.current) | set(self.failures)
+        self.current -= chosen
+        for key in chosen:
+            self.failures.pop(key, None)
+        self.results_changed.emit(None)
+
+    def _settle(self, key: Key) -> None:
+        if self.building == key:
+            self.building = None
+        self.results_changed.emit(key)
+
+    def _judge(self, *, force: bool = False) -> None:
+        from gearstudio.theory.cones import pair_geometry
+        from gearstudio.validation import read_design
+
+        design, issues = read_design(nest(self.draft))
+        pair: PairGeometry | None = None
+        if design is not None and (force or self.pair is None or design != self.design):
+            try:
+                pair = pair_geometry(design)
+            except GeometryError as error:
+                issues = (*issues, Issue("geometry", "", str(error)))
+        if issues != self.issues:
+            self.issues = issues
+            self.issues_changed.emit(issues)
+        if design is not None and pair is not None:
+            self.design, self.pair = design, pair
+            self.current.clear()
+            self.failures.clear()
+            self.design_changed.emit(design)
+
+
+def flatten(design: Design) -> dict[str, Any]:
+    """A design as dotted names and values: ``{"pair.pinion_teeth": 17, ...}``."""
+    flat: dict[str, Any] = {}
+
+    def walk(prefix: str, values: Mapping[str, Any]) -> None:
+        for name, value in values.items():
+            if isinstance(value, Mapping):
+                walk(f"{prefix}{name}.", value)
+            else:
+                flat[prefix + name] = value
+
+    walk("", design_mapping(design))
+    return flat
+
+
+def nest(draft: Mapping[str, Any]) -> dict[str, Any]:
+    """Dotted names back to the tables of a design file; None, an emptied optional field, is left out."""
+    data: dict[str, Any] = {}
+    for dotted, value in draft.items():
+        *tables, name = dotted.split(".")
+        target = data
+        for table in tables:
+            target = target.setdefault(table, {})
+        if value is not None:
+            target[name] = value
+    return data
+
+
+def _same(one: Any, other: Any) -> bool:
+    return type(one) is type(other) and one == other

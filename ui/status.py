@@ -1,0 +1,118 @@
+"""The status bar: the point under the pointer, the work in progress with its cancel button, the CAD process."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import Signal
+from PySide6.QtGui import QColor, QPainter, QPaintEvent
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QProgressBar, QPushButton, QSizePolicy, QStatusBar, QWidget
+
+from ui.formatting import fixed, micrometres
+from ui.theme import tokens
+
+if TYPE_CHECKING:
+    from ui.picking import Hover
+
+WORKER_STATES = {
+    "starting": ("CAD kernel starting…", "warning"),
+    "ready": ("CAD kernel ready", "ok"),
+    "busy": ("CAD kernel busy", "accent"),
+    "replaced": ("CAD kernel restarting…", "warning"),
+    "stopped": ("CAD kernel stopped", "error"),
+}
+
+
+class Status(QStatusBar):
+    """Shows what it is told.
+
+    Signals
+    -------
+    cancel_requested()
+    """
+
+    cancel_requested = Signal()
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setSizeGripEnabled(False)
+        self.setContentsMargins(8, 0, 8, 0)
+        self._point = QLabel()
+        self._point.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        self._point.setToolTip("The point of the flank under the pointer")
+        self._stage = QLabel()
+        self._stage.setProperty("role", "muted")
+        self._bar = QProgressBar()
+        self._bar.setTextVisible(False)
+        self._bar.setFixedWidth(130)
+        self._bar.setRange(0, 1000)
+        self._cancel = QPushButton("Cancel")
+        self._cancel.setProperty("role", "flat")
+        self._cancel.setToolTip("Stop the work in progress (Esc)")
+        self._cancel.clicked.connect(self.cancel_requested)
+        self._dot = Dot()
+        self._worker = QLabel()
+        self.addWidget(self._point, 1)
+        self._work = _row(self._stage, self._bar, self._cancel)
+        self.addPermanentWidget(self._work)
+        self.addPermanentWidget(_row(self._dot, self._worker))
+        self.show_worker("starting")
+        self.show_work(None)
+        self.setFixedHeight(max(self.sizeHint().height(), self._cancel.sizeHint().height() + 8))
+
+    def show_worker(self, state: str) -> None:
+        """State of the CAD process, one of `WORKER_STATES`."""
+        text, color = WORKER_STATES[state]
+        self._worker.setText(text)
+        self._dot.set_color(color)
+
+    def show_work(self, text: str | None, fraction: float = 0.0) -> None:
+        """What is being done and how far it is; None when nothing is."""
+        self._work.setVisible(text is not None)
+        if text is not None:
+            self._stage.setText(text)
+            self._bar.setValue(round(1000 * fraction))
+
+    def show_hover(self, hover: Hover | None) -> None:
+        """The read-out of the point under the pointer."""
+        self._point.setText("" if hover is None else hover_text(hover))
+
+
+class Dot(QWidget):
+    """A small round lamp."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._color = "muted"
+        self.setFixedSize(10, 10)
+
+    def set_color(self, token: str) -> None:
+        """Light up in a colour of the theme."""
+        self._color = token
+        self.update()
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.setPen(QColor(0, 0, 0, 0))
+        painter.setBrush(QColor(getattr(tokens(), self._color)))
+        painter.drawEllipse(1, 1, 8, 8)
+
+
+def hover_text(hover: Hover) -> str:
+    """The read-out of a point: flank, coordinates, cone distance, polar angle, deviation."""
+    x, y, z = (fixed(value, 3) for value in hover.xyz)
+    parts = [hover.flank, f"x {x}  y {y}  z {z} mm", f"ρ {fixed(hover.rho, 3)} mm", f"δ {fixed(hover.delta_deg, 3)}°"]
+    if hover.deviation_um is not None:
+        parts.append(f"deviation {micrometres(hover.deviation_um)}")
+    return "    ".join(parts)
+
+
+def _row(*widgets: QWidget) -> QWidget:
+    box = QWidget()
+    layout = QHBoxLayout(box)
+    layout.setContentsMargins(8, 0, 4, 0)
+    layout.setSpacing(7)
+    for widget in widgets:
+        layout.addWidget(widget)
+    return box
