@@ -1,0 +1,59 @@
+"""Measures every timed promise in one run and prints it with its target; exit status 1 when one is not kept."""
+
+from __future__ import annotations
+
+import os
+import platform
+import statistics
+import sys
+from collections.abc import Iterator
+
+from benchmarks import compare, peers, startup, window
+from benchmarks.measurement import Measurement
+
+RATIO, GAP_MS = 0.3, 50.0
+
+
+def measurements() -> Iterator[Measurement]:
+    """One after the other, each as soon as it is measured."""
+    peer = peers.measure()
+    unit = statistics.median(peer)
+    yield Measurement("py_gearworks 0.0.24, one 40-tooth wheel", peer, unit="s", decimals=2)
+
+    for member in ("wheel", "pinion"):
+        readings = [seconds / unit for seconds in compare.measure(member)]
+        yield Measurement(f"comparison of all six variants, {member} / py_gearworks", readings, RATIO)
+
+    edits = window.measure()
+    yield Measurement("an edit to all three views / py_gearworks", [e.seconds / unit for e in edits], RATIO)
+    yield Measurement("the same in seconds, the pause after an edit included", [e.seconds for e in edits], unit="s")
+    gaps, with_frames = [e.gap_ms for e in edits], [e.gap_with_frames_ms for e in edits]
+    title = "longest event-loop gap of a full rebuild, frames left out"
+    yield Measurement(title, gaps, GAP_MS, unit="ms", decimals=0, judged="maximum")
+    yield Measurement("the same with frames, drawn by software or not", with_frames, unit="ms", decimals=0)
+
+    starts = startup.measure()
+    loaded = [float(len(start.loaded_at_first_paint)) for start in starts]
+    title = "VTK, OCP, build123d modules loaded at the first paint"
+    yield Measurement(title, loaded, 0.0, decimals=0, judged="maximum")
+    yield Measurement("start to first paint", [s.first_paint for s in starts], unit="s", decimals=2)
+    yield Measurement(
+        "start to the picture of the exact flanks", [s.exact_flanks for s in starts], unit="s", decimals=2
+    )
+    yield Measurement("start to all three methods", [s.all_methods for s in starts], unit="s", decimals=2)
+
+
+def main() -> int:
+    """Print every measurement; the exit status."""
+    machine = f"{platform.platform()}, Python {platform.python_version()}, {os.cpu_count()} cores"
+    print(f"{machine}, load {os.getloadavg()[0]:.1f} (a busy machine spoils the gaps)", flush=True)
+    kept = True
+    for measurement in measurements():
+        print(measurement, flush=True)
+        kept &= measurement.passed
+    print("all promises kept" if kept else "a promise is not kept")
+    return 0 if kept else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
