@@ -25,7 +25,7 @@ from gearstudio.validation.rule import (
     mate_of,
     members,
 )
-from gearstudio.validation.tooth_rules import LEAST_FLANK_FACTOR, TOOTHED, tip_angles
+from gearstudio.validation.tooth_rules import FLANKED, LEAST_FLANK_FACTOR, TOOTHED, tip_angles
 
 LEAST_WALL_FACTOR = 0.02
 
@@ -175,9 +175,9 @@ MESH_RULES = (
     Rule("full_round", "warning", FILLET, FILLETED, "tooth.fillet_factor", _full_round),
     Rule("fillet_over_flank", "error", FILLET, FILLETED, "tooth.fillet_factor", _fillet_over_flank),
     Rule("fillet_in_mesh", "warning", FILLET, FILLETED | {"fillet_over_flank"}, "tooth.fillet_factor", _fillet_in_mesh),
-    Rule("interference", "warning", PROFILE, TOOTHED, "tooth.profile_shift", _interference),
+    Rule("interference", "warning", PROFILE, FLANKED, "tooth.profile_shift", _interference),
     Rule("face_cone", "warning", TIP, frozenset({"pitch_cone"}), "pair.shaft_angle_deg", _face_cone),
-    Rule("contact_ratio", "warning", PROFILE | ARC, TOOTHED | {"cutter_arc"}, "tooth.addendum_factor", _contact_ratio),
+    Rule("contact_ratio", "warning", PROFILE | ARC, FLANKED | {"cutter_arc"}, "tooth.addendum_factor", _contact_ratio),
     Rule(
         "bore",
         "error",

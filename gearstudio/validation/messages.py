@@ -27,7 +27,7 @@ def shown(value: object) -> str:
         return '"' + "".join(letter if letter.isprintable() else "\N{REPLACEMENT CHARACTER}" for letter in short) + '"'
     if isinstance(value, Mapping):
         return "a table"
-    if isinstance(value, Sequence):
+    if isinstance(value, Sequence) and not isinstance(value, bytes | bytearray | memoryview):
         return "a list"
     return f"a value of type {type(value).__name__}"
 

@@ -190,7 +190,8 @@ def _thin_tip(design: Design) -> Iterator[Finding]:
 
 
 _SOUND = frozenset({"face_width", "toe_angle", "root_cone"})
-TOOTHED = _SOUND | {"no_involute", "no_thickness"}
+FLANKED = _SOUND | {"no_involute"}
+TOOTHED = FLANKED | {"no_thickness"}
 TOOTH_RULES = (
     Rule("root_cone", "error", DEPTH, frozenset({"pitch_cone"}), "tooth.addendum_factor", _root_cone),
     Rule("no_involute", "error", PROFILE, _SOUND, "tooth.addendum_factor", _no_involute),
