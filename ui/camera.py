@@ -182,12 +182,11 @@ def _filling(camera: Camera, points: Floats, aspect: float, share: float) -> Cam
 def _tooth_direction(name: str, focus: Focus) -> Floats:
     """From outside at the tooth's tip, leaning to a flank, or straight at it."""
     outward = unit(focus.tooth_centre * np.array([1.0, 1.0, 0.0]))
-    normals = focus.flanks
-    if name in normals:
-        return unit(unit(normals[name]) + 0.35 * outward)
-    across = sum(normals.values(), np.zeros(3))
+    across = sum(focus.flanks.values(), np.zeros(3))
     tip = unit(across) if np.linalg.norm(across) > 1e-6 else outward
-    lean = unit(normals["concave"]) if "concave" in normals else np.zeros(3)
+    if name in focus.flanks:
+        return unit(unit(focus.flanks[name]) + 0.9 * tip)  # over the neighbour that would hide the root
+    lean = unit(focus.flanks["concave"]) if "concave" in focus.flanks else np.zeros(3)
     return unit(tip + 0.20 * lean + 0.12 * outward)
 
 

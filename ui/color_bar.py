@@ -112,7 +112,8 @@ class ColorBar(QWidget):
     def sizeHint(self) -> QSize:
         return QSize(self._label_width() + BAR_WIDTH + _TICK + _GAP + 2 * _PAD, 260)
 
-    minimumSizeHint = sizeHint
+    def minimumSizeHint(self) -> QSize:
+        return self.sizeHint()
 
     def _small_font(self) -> QFont:
         font = QFont(self.font())

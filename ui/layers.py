@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import Literal
 
 import numpy as np
@@ -89,6 +90,11 @@ class Layer:
         """Name of the one actor that draws this."""
         return f"{self.layer_id}/{self.part}"
 
+    @cached_property
+    def bounds(self) -> tuple[Floats, Floats]:
+        """Lowest and highest coordinates, (3,) each."""
+        return self.points.min(axis=0), self.points.max(axis=0)
+
 
 @dataclass(frozen=True)
 class Panel:
@@ -109,11 +115,6 @@ class LayerInfo:
     visible: bool
     tooltip: str
     ink: Ink
-
-    @property
-    def swatch(self) -> str:
-        """Colour of its sample (#rrggbb) in the light theme."""
-        return self.ink.light
 
 
 GREY = Ink("#c3c8ce", "#8b929a")

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QElapsedTimer, QSignalBlocker, Qt, QTimer, Signal
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QSlider, QStyle, QToolButton, QWidget
+from PySide6.QtCore import QElapsedTimer, QEvent, QSignalBlocker, Qt, QTimer, Signal
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QSlider, QToolButton, QWidget
+
+from ui.theme import icon
 
 STEPS = 1000
 SECONDS_PER_SWEEP = 6.0
@@ -26,7 +28,7 @@ class RollSlider(QWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._span_deg = 0.0
-        self._play = QToolButton(self, checkable=True, autoRaise=True, shortcut="")
+        self._play = QToolButton(self, checkable=True, autoRaise=True)
         self._play.setToolTip("Roll the plane and let the line sweep out the flank")
         self._play.setAccessibleName("Play")
         self._play.toggled.connect(self._on_play_toggled)
@@ -105,5 +107,9 @@ class RollSlider(QWidget):
         self._label.setText(self._text(self.roll * self._span_deg))
 
     def _show_icon(self) -> None:
-        pixmap = QStyle.StandardPixmap.SP_MediaPause if self._play.isChecked() else QStyle.StandardPixmap.SP_MediaPlay
-        self._play.setIcon(self.style().standardIcon(pixmap))
+        self._play.setIcon(icon("pause" if self._play.isChecked() else "play"))
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.PaletteChange and hasattr(self, "_play"):
+            self._show_icon()

@@ -25,6 +25,7 @@ Angles = tuple[Floats, Floats]
 
 _RIM = 1.1
 """Thickness of the body below the root, in tooth depths."""
+_OVERLAP = 1.004
 _SAMPLES = {"root": 3, "fillet": 7, "meridian": 2, "flank": 15, "tip": 3}
 _COARSE = {"root": 2, "fillet": 4, "meridian": 2, "flank": 7, "tip": 2}
 _ALONG = 33
@@ -104,7 +105,7 @@ class _Tooth:
         for name in self.profile.segments:
             s = np.linspace(0.0, 1.0, self.samples[name])[:, None] * np.ones_like(self.rho_u)
             made[name] = self.profile.angles(name, s, self.tip)
-        return {name: self._full(angles) for name, angles in made.items()}
+        return self._completed(made)
 
     def _sharp_half(self) -> dict[str, Angles]:
         """The half tooth without fillets: the root led up to the working flank's lower edge."""
@@ -118,7 +119,7 @@ class _Tooth:
             made["meridian"] = (member.root_angle + s * (low - member.root_angle), foot[None, :])
         s = np.linspace(0.0, 1.0, self.samples["tip"])[:, None]
         made |= {"flank": flank, "tip": self.profile.angles("tip", s, self.tip)}
-        return {name: self._full(angles) for name, angles in made.items()}
+        return self._completed(made)
 
     def _working_flank(self) -> Angles:
         member = self.member
@@ -128,10 +129,16 @@ class _Tooth:
         start = member.half_tooth_azimuth + involute_azimuth(member.pitch_angle, member.base_angle)
         return polar_angle(psi, member.base_angle), start - azimuth_from_arc(psi, member.base_angle)
 
-    def _full(self, angles: Angles) -> Angles:
-        delta, phi = angles
-        shape = (*np.broadcast_shapes(delta.shape, phi.shape)[:-1], len(self.rho_u))
-        return np.broadcast_to(delta, shape), np.broadcast_to(phi, shape)
+    def _completed(self, half: dict[str, Angles]) -> dict[str, Angles]:
+        """Every segment as full (profile, along) arrays; a little over the middle of the space, against cracks."""
+        made: dict[str, Angles] = {}
+        for name, (delta, phi) in half.items():
+            shape = (*np.broadcast_shapes(delta.shape, phi.shape)[:-1], len(self.rho_u))
+            azimuth = np.array(np.broadcast_to(phi, shape))
+            if not made:
+                azimuth[0] *= _OVERLAP
+            made[name] = np.broadcast_to(delta, shape), azimuth
+        return made
 
     def _place(self, delta: Floats, phi: Floats) -> Floats:
         """Points of polar angles and azimuths (n, along) of a profile, with the twist of the tooth."""

@@ -7,12 +7,12 @@ redraws the scene: the ray is cast in numpy and the markers are small Qt widgets
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
 from PySide6.QtCore import QEvent, QPointF, QSize, QTimer, Signal
-from PySide6.QtGui import QImage, QResizeEvent
+from PySide6.QtGui import QImage, QResizeEvent, QShowEvent
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from ui import colormap
@@ -102,14 +102,6 @@ class ViewGrid(QWidget):
             self.viewport.set_moving()
             self._refresh()
 
-    def set_titles(self, titles: Mapping[str, tuple[str, str]]) -> None:
-        """New (title, subtitle) of panels, by key."""
-        self._panels = tuple(
-            replace(p, title=titles[p.key][0], subtitle=titles[p.key][1]) if p.key in titles else p
-            for p in self._panels
-        )
-        self._place_overlays()
-
     def set_color_range(self, limit_um: float) -> None:
         """Colours run from -limit to +limit [µm] in every view."""
         self.store.set_limit(limit_um)
@@ -147,8 +139,7 @@ class ViewGrid(QWidget):
         self.store.set_layers(shown)
         everything = tuple({id(layer): layer for pane in shown for layer in pane}.values())
         self._picker.keep(tuple(x for panel in self._panels for x in panel.layers))
-        centre, radius = _sphere(everything)
-        self.viewport.set_scene_bounds(centre, radius)
+        self.viewport.set_scene_bounds(*_sphere(everything))
         self.viewport.update()
 
     # ---- camera --------------------------------------------------------------------------------------
@@ -283,6 +274,10 @@ class ViewGrid(QWidget):
         self._axes.move(MARGIN // 2, self.height() - self._axes.height() - MARGIN // 2)
         self._axes.setVisible(bool(self._panels))
 
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        self.store.restyle(self._dark, self.devicePixelRatioF())
+
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
         self._place_overlays()
@@ -330,7 +325,7 @@ def focus_of(panels: Sequence[Panel]) -> Focus | None:
 
 def _sphere(layers: Sequence[Layer]) -> tuple[np.ndarray, float]:
     """Centre of the box around layers, and the distance from it to the box's corner."""
-    boxes = [(x.points.min(axis=0), x.points.max(axis=0)) for x in layers if len(x.points)]
+    boxes = [layer.bounds for layer in layers if len(layer.points)]
     if not boxes:
         return np.zeros(3), 1.0
     low, high = np.min([b[0] for b in boxes], axis=0), np.max([b[1] for b in boxes], axis=0)
