@@ -7,9 +7,8 @@ unset PYTHONDONTWRITEBYTECODE PYTHONHOME PYTHONPATH VIRTUAL_ENV
 
 kind=${1:-run}
 case $kind in
-    run) requirements=(requirements.txt) ;;
-    dev) requirements=(requirements.txt requirements-dev.txt) ;;
-    bench) requirements=(requirements.txt requirements-bench.txt) ;;
+    run) requirements=requirements.txt ;;
+    dev | bench) requirements=requirements-$kind.txt ;;
     *) echo "usage: tools/bootstrap.sh run|dev|bench" >&2; exit 2 ;;
 esac
 python=.venv/bin/python
@@ -86,12 +85,12 @@ choose_python() {
 then run make again."
 }
 
-checksum() {
-    cat "${requirements[@]}" tools/bootstrap.sh | cksum | tr ' ' -
-}
+# Whether the packages of a file (all of them take in requirements.txt) were installed as they are pinned now.
+checksum() { cat requirements.txt "$1" tools/bootstrap.sh | cksum; }
+installed() { [ "$(cat ".venv/$1.installed" 2>/dev/null)" = "$(checksum "$1")" ]; }
 
 make_environment() {
-    if [ -e .venv ] && ! usable $python; then
+    if [ -e .venv ] && ! { usable $python && $python -c 'import pip' 2>/dev/null; }; then
         say "removing an environment that does not work any more"
         rm -rf .venv
     fi
@@ -103,12 +102,14 @@ make_environment() {
 }
 
 install_packages() {
-    local file=${requirements[${#requirements[@]} - 1]}
+    local file=$1
     say "installing the pinned packages of $file into .venv (once, some minutes)"
     $python -m pip install -qq --disable-pip-version-check --no-input --no-compile -r "$file" ||
         stop "the packages could not be installed; see above (a network is needed this once)"
     say "compiling bytecode"
     $python -m compileall -q -j 0 .venv/lib >/dev/null 2>&1 || true
+    checksum "$file" >".venv/$file.installed"
+    checksum requirements.txt >.venv/requirements.txt.installed
 }
 
 system_libraries() {
@@ -122,9 +123,5 @@ system_libraries() {
 
 make_environment
 system_libraries
-stamp=.venv/installed-$kind
-if [ "$(cat $stamp 2>/dev/null)" != "$(checksum)" ]; then
-    install_packages
-    checksum >$stamp
-fi
+installed $requirements || install_packages $requirements
 $python -m compileall -q gearstudio ui main.py || true
