@@ -7,9 +7,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 from OCP.BRepBuilderAPI import BRepBuilderAPI_MakeEdge, BRepBuilderAPI_MakeFace, BRepBuilderAPI_MakeWire
-from OCP.collections import Array1_double, Array1_gp_Pnt, Array1_int, Array2_double, Array2_gp_Pnt
+from OCP.collections import Array1_double, Array1_gp_Pnt, Array1_gp_Pnt2d, Array1_int, Array2_double, Array2_gp_Pnt
 from OCP.Geom import Geom_BSplineCurve, Geom_BSplineSurface
-from OCP.gp import gp_Pnt
+from OCP.gp import gp_Pnt, gp_Pnt2d
 from OCP.TopoDS import TopoDS_Face, TopoDS_Wire
 
 from gearstudio.errors import GeometryError
@@ -26,6 +26,14 @@ def point_row(points: Floats) -> Array1_gp_Pnt:
     row = Array1_gp_Pnt(1, len(points))
     for i, (x, y, z) in enumerate(points.tolist(), start=1):
         row.SetValue(i, gp_Pnt(x, y, z))
+    return row
+
+
+def point_row_2d(points: Floats) -> Array1_gp_Pnt2d:
+    """Points of shape (n, 2) as a kernel array."""
+    row = Array1_gp_Pnt2d(1, len(points))
+    for i, (x, y) in enumerate(points.tolist(), start=1):
+        row.SetValue(i, gp_Pnt2d(x, y))
     return row
 
 

@@ -7,13 +7,14 @@ from collections.abc import Callable, Iterator
 import numpy as np
 
 from gearstudio.design import Design, field_value
+from gearstudio.theory.blank import BlankError, BlankSizes, blank_outline
 from gearstudio.theory.cones import MemberGeometry
 from gearstudio.theory.pair import interference, overlap_ratio, transverse_contact_ratio
 from gearstudio.theory.profile import Fillet, fillet
-from gearstudio.validation.nearest import Cure, cure, round_toward
+from gearstudio.validation.nearest import Cure, cure
 from gearstudio.validation.rule import (
     ARC,
-    BORES,
+    BLANKS,
     DEPTH,
     PROFILE,
     THICKNESS,
@@ -154,18 +155,13 @@ def _contact_ratio(design: Design) -> Iterator[Finding]:
         )
 
 
-def _bore(design: Design) -> Iterator[Finding]:
+def _blank(design: Design) -> Iterator[Finding]:
     for member in members(design):
-        path = f"blank.{member.name}.bore_diameter"
-        bore = field_value(design, path)
-        inner = member.inner_cone_distance
-        toe_root = 2 * float(member.cone_distance(inner, member.root_angle) * np.sin(member.root_angle))
-        if bore is not None and bore >= (1 - LEAST_WALL_FACTOR) * toe_root:
-            yield Finding(
-                path,
-                f"{bore:.10g} mm cuts into the teeth: the root is {toe_root:.5g} mm across at the toe; "
-                f"use at most {round_toward((1 - LEAST_WALL_FACTOR) * toe_root, up=False):.10g} mm",
-            )
+        table = getattr(design.blank, member.name)
+        try:
+            blank_outline(member, BlankSizes(**table.model_dump()))
+        except BlankError as error:
+            yield Finding(f"blank.{member.name}.{error.field}", error.reason)
 
 
 FILLET = THICKNESS | fields("tooth", "fillet_factor")
@@ -179,11 +175,11 @@ MESH_RULES = (
     Rule("face_cone", "warning", TIP, frozenset({"pitch_cone"}), "pair.shaft_angle_deg", _face_cone),
     Rule("contact_ratio", "warning", PROFILE | ARC, FLANKED | {"cutter_arc"}, "tooth.addendum_factor", _contact_ratio),
     Rule(
-        "bore",
+        "blank",
         "error",
-        DEPTH | ARC | fields("tooth", "ends") | BORES,
+        PROFILE | ARC | BLANKS,
         frozenset({"face_width", "root_cone"}),
         "blank.pinion.bore_diameter",
-        _bore,
+        _blank,
     ),
 )

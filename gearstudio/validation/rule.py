@@ -8,7 +8,7 @@ from functools import lru_cache
 
 import numpy as np
 
-from gearstudio.design import Design
+from gearstudio.design import Design, all_field_specs
 from gearstudio.errors import Severity
 from gearstudio.theory.cones import MemberGeometry, PairGeometry, pair_geometry
 
@@ -64,7 +64,7 @@ DEPTH = SIZE | fields("tooth", "addendum_factor", "clearance_factor", "profile_s
 TIP = DEPTH | fields("tooth", "tip_cone")
 PROFILE = PRESSURE | TIP | fields("tooth", "ends")
 THICKNESS = PROFILE | fields("tooth", "backlash")
-BORES = fields("blank.pinion", "bore_diameter") | fields("blank.wheel", "bore_diameter")
+BLANKS = frozenset(path for path in all_field_specs() if path.startswith("blank."))
 ARC = WIDTH | SPIRAL | fields("lengthwise", "cutter_radius")
 
 

@@ -1,0 +1,91 @@
+"""What a solid is worth: validity, closedness, volume and inertia."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from OCP.Bnd import Bnd_Box
+from OCP.BRep import BRep_Tool
+from OCP.BRepBndLib import BRepBndLib
+from OCP.BRepCheck import BRepCheck_Analyzer
+from OCP.BRepGProp import BRepGProp
+from OCP.GProp import GProp_GProps
+from OCP.TopAbs import TopAbs_ShapeEnum
+from OCP.TopExp import TopExp_Explorer
+from OCP.TopoDS import TopoDS_Shape
+
+Floats = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class SolidCheck:
+    """The kernel's verdict on a solid.
+
+    Attributes
+    ----------
+    valid, closed : bool
+    shells, faces : int
+    volume : float
+        [mm^3], positive when the faces look outward.
+    area : float
+        [mm^2]
+    centre : tuple of float
+        Centre of mass [mm].
+    inertia : ndarray, shape (3, 3)
+        About the centre of mass for unit density [mm^5].
+    box : ndarray, shape (2, 3)
+        Least and greatest coordinates [mm].
+    """
+
+    valid: bool
+    closed: bool
+    shells: int
+    faces: int
+    volume: float
+    area: float
+    centre: tuple[float, float, float]
+    inertia: Floats
+    box: Floats
+
+
+def check_solid(shape: TopoDS_Shape) -> SolidCheck:
+    """Run the kernel's full check and integrate volume, area and inertia."""
+    volume, area = GProp_GProps(), GProp_GProps()
+    BRepGProp.VolumeProperties_s(shape, volume)
+    BRepGProp.SurfaceProperties_s(shape, area)
+    centre, matrix = volume.CentreOfMass(), volume.MatrixOfInertia()
+    shells = _parts(shape, TopAbs_ShapeEnum.TopAbs_SHELL)
+    return SolidCheck(
+        valid=is_valid(shape),
+        closed=bool(shells) and all(BRep_Tool.IsClosed_s(shell) for shell in shells),
+        shells=len(shells),
+        faces=len(_parts(shape, TopAbs_ShapeEnum.TopAbs_FACE)),
+        volume=volume.Mass(),
+        area=area.Mass(),
+        centre=(centre.X(), centre.Y(), centre.Z()),
+        inertia=np.array([[matrix.Value(i, j) for j in (1, 2, 3)] for i in (1, 2, 3)]),
+        box=bounding_box(shape),
+    )
+
+
+def is_valid(shape: TopoDS_Shape) -> bool:
+    """The kernel's full check."""
+    return bool(BRepCheck_Analyzer(shape).IsValid())
+
+
+def bounding_box(shape: TopoDS_Shape) -> Floats:
+    """Least and greatest coordinates [mm], shape (2, 3)."""
+    box = Bnd_Box()
+    BRepBndLib.AddOptimal_s(shape, box, False, False)
+    low, high = box.CornerMin(), box.CornerMax()
+    return np.array([[low.X(), low.Y(), low.Z()], [high.X(), high.Y(), high.Z()]])
+
+
+def _parts(shape: TopoDS_Shape, kind: TopAbs_ShapeEnum) -> list[TopoDS_Shape]:
+    explorer, parts = TopExp_Explorer(shape, kind), []
+    while explorer.More():
+        parts.append(explorer.Current())
+        explorer.Next()
+    return parts
