@@ -7,6 +7,7 @@ time and can look after other things in between.
 
 from __future__ import annotations
 
+import mmap
 import pickle
 import struct
 from collections import deque
@@ -55,7 +56,7 @@ class Receiver:
 
     def __init__(self, connection: Connection) -> None:
         self._connection = connection
-        self._parts: list[bytearray] = []
+        self._parts: list[bytearray | mmap.mmap] = []
         self._missing: deque[memoryview] = deque()
 
     def step(self) -> object | None:
@@ -88,6 +89,11 @@ class Receiver:
         return message
 
     def _expect(self, header: bytes) -> None:
-        self._parts = [bytearray(size) for size in struct.unpack(f"!{len(header) // 8}Q", header)]
+        self._parts = [_room(size) for size in struct.unpack(f"!{len(header) // 8}Q", header)]
         views = [memoryview(part) for part in self._parts]
         self._missing.extend(view[at : at + SLICE] for view in views for at in range(0, len(view), SLICE))
+
+
+def _room(size: int) -> bytearray | mmap.mmap:
+    """Memory to receive into; a lot of it is taken from the system as it fills, not cleared all at once."""
+    return bytearray(size) if size < KEPT_APART else mmap.mmap(-1, size)
