@@ -18,7 +18,7 @@ from vtkmodules.vtkRenderingCore import vtkActor, vtkMapper, vtkPolyDataMapper
 from ui import colormap
 from ui.layers import Layer, Style
 
-_LIFT = 220.0
+_LIFT = 160.0
 """Depth, in millionths of the range drawn, by which one step of lift comes forward."""
 
 

@@ -103,11 +103,17 @@ class Camera:
         return np.asarray(flat / np.where(depth > 1e-6, depth, np.nan)[..., None])
 
     def clipping(self, centre: ArrayLike, radius: float) -> tuple[float, float]:
-        """Nearest and farthest distance to draw so that a sphere is all there."""
+        """Nearest and farthest distance to draw so that a sphere is all there.
+
+        In perspective nothing is drawn within a fifth of the way to the focal point: depth would lose its
+        resolution there, and what coincides could no longer be told apart.
+        """
         middle = float((self.eye - np.asarray(centre)) @ self.back)
-        far = max(middle + 1.01 * radius, 1e-3 * self.distance)
-        near = middle - 1.01 * radius
-        return (near, far) if self.parallel else (max(near, far / 2000), far)
+        near, far = middle - 1.01 * radius, middle + 1.01 * radius
+        if self.parallel:
+            return near, far
+        near = max(near, 0.2 * self.distance)
+        return near, max(far, 1.5 * near)
 
 
 @dataclass(frozen=True, eq=False)

@@ -157,8 +157,9 @@ LAYER_SETS: tuple[tuple[str, frozenset[str]], ...] = (
     ("Construction", frozenset({"cad_flank", "sections", "guides", "points", "tooth"})),
 )
 
-TOOTH_WHOLE, TOOTH_BARED = "whole", "bared"
-"""The parts of the layer ``tooth``: with its flanks in grey and its fillets, or open for flanks drawn otherwise."""
+TOOTH_WHOLE, TOOTH_BARED, TOOTH_WALLS = "whole", "bared", "walls"
+"""The parts of the layer ``tooth``: with its flanks in grey and its fillets, or open for flanks drawn otherwise;
+and the sides and floor that close it where no other teeth do."""
 
 _FLANK_IDS = frozenset({"deviation", "cad_flank", "theory_flank"})
 
@@ -176,5 +177,7 @@ def drawn(layers: Iterable[Layer], visible: Collection[str]) -> tuple[Layer, ...
         wanted.add("tooth")
     if {"deviation"} & wanted & present:
         wanted.discard("cad_flank")
-    hidden = TOOTH_WHOLE if _FLANK_IDS & wanted & present else TOOTH_BARED
-    return tuple(x for x in layers if x.layer_id in wanted and (x.layer_id, x.part) != ("tooth", hidden))
+    hidden = {("tooth", TOOTH_WHOLE if _FLANK_IDS & wanted & present else TOOTH_BARED)}
+    if {"gear"} & wanted & present:
+        hidden.add(("tooth", TOOTH_WALLS))
+    return tuple(x for x in layers if x.layer_id in wanted and (x.layer_id, x.part) not in hidden)

@@ -29,7 +29,7 @@ Floats = NDArray[np.float64]
 _THEORY_GRID = (33, 49)
 _SWEPT_GRID = (25, 65)
 _CLOUD = (7, 7)
-_AROUND = 97
+_AROUND = 181
 _SPOKES = 24
 
 _MAP = Style(Ink("#e9e9e9", "#d9d9d9"), gloss=0.06)

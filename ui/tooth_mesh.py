@@ -17,7 +17,7 @@ from gearstudio.theory.flank import involute_flank
 from gearstudio.theory.involute import azimuth_from_arc, involute_azimuth, polar_angle
 from gearstudio.theory.profile import ToothProfile, tooth_profile
 from ui.grids import grid_normals, grid_triangles, on_cone, turned
-from ui.layers import GREY, TOOTH_BARED, TOOTH_WHOLE, Layer, Style
+from ui.layers import GREY, TOOTH_BARED, TOOTH_WALLS, TOOTH_WHOLE, Layer, Style
 
 Floats = NDArray[np.float64]
 Indices = NDArray[np.int64]
@@ -42,12 +42,13 @@ class Mesh:
 
 
 def context_layers(member: MemberGeometry) -> tuple[Layer, ...]:
-    """The tooth with its flanks, the tooth without them, and the rest of the gear."""
+    """The tooth with its flanks, the tooth without them, what closes it alone, and the rest of the gear."""
     fine, coarse = _Tooth(member, _SAMPLES, _ALONG), _Tooth(member, *_resolution(member.teeth))
     others = _copies(_joined(coarse.faces(bared=False)), member.pitch * np.arange(1, member.teeth))
     return (
-        _layer("tooth", TOOTH_WHOLE, _joined(fine.faces(bared=False) + fine.walls())),
-        _layer("tooth", TOOTH_BARED, _joined(fine.faces(bared=True) + fine.walls())),
+        _layer("tooth", TOOTH_WHOLE, _joined(fine.faces(bared=False))),
+        _layer("tooth", TOOTH_BARED, _joined(fine.faces(bared=True))),
+        _layer("tooth", TOOTH_WALLS, _joined(fine.walls())),
         _layer("gear", "teeth", _joined_meshes([others, _joined([coarse.bore()])]), _BEHIND),
     )
 
