@@ -24,7 +24,9 @@ FlankName = Literal["concave", "convex"]
 FLANKS: tuple[FlankName, FlankName] = ("concave", "convex")
 
 _ITERATE_ABOVE = 1e-6
-_FOOT_POINT_STEPS = 4
+_FOOT_POINT_STEPS = 8
+_FOOT_POINT_ACCURACY = 1e-11
+_FOOT_POINT_TRUST = 1e-2
 
 
 class Flank(Protocol):
@@ -229,7 +231,7 @@ class InvoluteFlank:
 
     def _azimuth_deviation(self, rho: Floats, delta: Floats, phi: Floats) -> Floats:
         m = self.member
-        above = np.maximum(delta, m.base_angle)
+        above = np.clip(delta, m.base_angle, np.pi - m.base_angle)
         psi = roll_arc(above, m.base_angle)
         flank_phi = start_azimuth(m, self.side, rho) - self.side * azimuth_from_arc(psi, m.base_angle)
         difference = np.remainder(phi - flank_phi + np.pi, 2 * np.pi) - np.pi
@@ -239,14 +241,27 @@ class InvoluteFlank:
         return np.asarray(self.side * difference * rho * np.sin(delta) / np.sqrt(1 + profile + spiral))
 
     def _foot_point_deviation(self, points: Floats, start: Floats) -> Floats:
+        """Distance along the normal of the foot point; ``start`` stands where the iteration finds none."""
         rho, delta, _ = self.locate(points)
-        psi = roll_arc(np.maximum(delta, self.member.base_angle), self.member.base_angle)
+        gap, change = start, np.full_like(start, np.inf)
         for _ in range(_FOOT_POINT_STEPS):
-            normal = self.normals_at(psi, rho)
-            gap = np.sum((points - self.at(psi, rho)) * normal, axis=-1)
+            foot, normal = self._continued(rho, delta)
+            before, gap = gap, np.sum((points - foot) * normal, axis=-1)
+            change = np.abs(gap - before)
+            if np.all(change <= _FOOT_POINT_ACCURACY * rho):
+                break
             rho, delta, _ = self.locate(points - gap[..., None] * normal)
-            psi = roll_arc(np.maximum(delta, self.member.base_angle), self.member.base_angle)
-        return np.where(delta < self.member.base_angle, start, gap)
+        return np.where(change <= _FOOT_POINT_TRUST * np.abs(gap), gap, start)
+
+    def _continued(self, rho: Floats, delta: Floats) -> tuple[Floats, Floats]:
+        """Points and outward normals of the flank and of the meridians that continue it below the base cone."""
+        base = self.member.base_angle
+        psi = roll_arc(np.clip(delta, base, np.pi - base), base)
+        along, across, plane = tangent_plane(np.minimum(delta, base), self.contact_azimuth(psi, rho))
+        unit = np.cos(psi)[..., None] * along + self.side * np.sin(psi)[..., None] * across
+        lengthwise = unit + (rho * self.member.lengthwise.azimuth_slope(rho))[..., None] * _quarter(unit)
+        normal = self.side * np.cross(lengthwise, plane)
+        return rho[..., None] * unit, normal / np.linalg.norm(normal, axis=-1, keepdims=True)
 
     def _end_distance(self, v: ArrayLike) -> Floats:
         return np.asarray(self.member.inner_cone_distance + np.asarray(v, dtype=np.float64) * self.member.face_width)

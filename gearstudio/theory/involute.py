@@ -102,7 +102,7 @@ def start_azimuth(member: MemberGeometry, side: int, rho: ArrayLike) -> Floats:
     return np.asarray(side * (member.half_tooth_azimuth + pitch_beta) + member.lengthwise.azimuth(rho))
 
 
-def tangent_plane(base_angle: float, contact_azimuth: ArrayLike) -> tuple[Floats, Floats, Floats]:
+def tangent_plane(base_angle: ArrayLike, contact_azimuth: ArrayLike) -> tuple[Floats, Floats, Floats]:
     """Axes of the plane that touches the base cone at an azimuth, each of shape (..., 3) (theory 5.1).
 
     Returns
