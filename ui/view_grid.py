@@ -7,7 +7,7 @@ redraws the scene: the ray is cast in numpy and the markers are small Qt widgets
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -111,12 +111,12 @@ class ViewGrid(QWidget):
         """Switch a row of `LAYERS`."""
         if visible == (layer_id in self._visible):
             return
-        (self._visible.add if visible else self._visible.discard)(layer_id)
-        self._refresh()
+        self.set_visible_layers(self._visible | {layer_id} if visible else self._visible - {layer_id})
 
-    def set_visible_layers(self, layer_ids: Sequence[str] | frozenset[str]) -> None:
+    def set_visible_layers(self, layer_ids: Collection[str]) -> None:
         """Switch on exactly these rows of `LAYERS`."""
         self._visible = set(layer_ids)
+        self._clear_hover()
         self._refresh()
 
     @property

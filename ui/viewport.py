@@ -70,7 +70,6 @@ class Viewport(QtInteractor):
             renderer.SetAutomaticLightCreation(False)
             for place, strength in _LIGHTS:
                 renderer.AddLight(_camera_light(place, strength))
-            renderer.SetUseDepthPeeling(True)
             renderer.SetMaximumNumberOfPeels(4)
             renderer.SetOcclusionRatio(0.02)
         self.set_pane_count(1)
@@ -150,12 +149,13 @@ class Viewport(QtInteractor):
         camera.SetPosition(*look.eye)
         camera.SetViewUp(*look.up)
         camera.SetClippingRange(*look.clipping(self.bounds_centre, self.bounds_radius))
-        smooth = bool(self.software) and not self._moving
+        hurried = bool(self.software) and self._moving
         for renderer in self.renderers:
-            renderer.SetUseFXAA(smooth)
+            renderer.SetUseFXAA(bool(self.software) and not hurried)
+            renderer.SetUseDepthPeeling(not hurried)
 
     def set_moving(self) -> None:
-        """The picture is about to change again and again: leave out the smoothing until it stands still."""
+        """The picture is about to change again and again: without a GPU, leave out the finish until it stands still."""
         self._moving = True
         self._still.start()
 
