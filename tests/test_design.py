@@ -48,8 +48,19 @@ DEFAULTS = {
     "tooth.tip_cone": "common_apex",
     "tooth.ends": "back_cone",
     "tooth.limit_pressure_angle_factor": 1.0,
-    "blank.pinion.bore_diameter": None,
-    "blank.wheel.bore_diameter": None,
+    **{
+        f"blank.{member}.{size}": default
+        for member in ("pinion", "wheel")
+        for size, default in {
+            "bore_diameter": None,
+            "hub_diameter": None,
+            "hub_length": None,
+            "mounting_distance": None,
+            "web_thickness": None,
+            "shank_diameter": 0.0,
+            "shank_length": 0.0,
+        }.items()
+    },
     "depth.system": "outer_module",
     "methods.tolerance_um": 0.05,
     "methods.point_cloud_degree": 3,
@@ -63,14 +74,8 @@ STATED_LIMITS = {
     "pair.shaft_angle_deg": (30, 150),
     "methods.tolerance_um": (0.001, 100),
 }
-# What a field without effect on the derived geometry is for instead: the body, the methods, the label.
-NOT_IN_INFO = {
-    "name",
-    "blank.pinion.bore_diameter",
-    "blank.wheel.bore_diameter",
-    "methods.tolerance_um",
-    "methods.point_cloud_degree",
-}
+# Fields without effect on the derived geometry: the label, what the methods are asked for, the bodies.
+NOT_IN_INFO = {path for path in DEFAULTS if path.split(".")[0] in ("name", "methods", "blank")}
 
 
 def by_path(spec: FieldSpec) -> str:

@@ -248,8 +248,8 @@ def test_rules_whose_fields_are_not_fine_keep_quiet() -> None:
             "fillet_over_flank",
             "tooth.fillet_factor",
         ),
-        ({"blank.wheel.bore_diameter": 110.0}, "bore", "blank.wheel.bore_diameter"),
-        ({"blank.pinion.bore_diameter": 42.0}, "bore", "blank.pinion.bore_diameter"),
+        ({"blank.wheel.bore_diameter": 110.0}, "blank", "blank.wheel.bore_diameter"),
+        ({"blank.pinion.bore_diameter": 42.0}, "blank", "blank.pinion.bore_diameter"),
     ],
 )
 def test_what_makes_no_gear_is_an_error_at_its_field(paths: dict[str, Any], code: str, field: str) -> None:
@@ -275,6 +275,15 @@ def test_what_makes_no_gear_is_an_error_at_its_field(paths: dict[str, Any], code
             "contact_ratio",
         ),
         ({"pair.pinion_teeth": 9, "pair.wheel_teeth": 41, "tooth.profile_shift": 0.5}, "thin_tip"),
+        (
+            {
+                "pair.pinion_teeth": 5,
+                "lengthwise.curve": "archimedean",
+                "lengthwise.spiral_angle_deg": 0.0,
+                "tooth.ends": "sphere",
+            },
+            "no_body",
+        ),
     ],
 )
 def test_what_makes_a_doubtful_gear_is_a_warning(paths: dict[str, Any], code: str) -> None:
@@ -347,9 +356,9 @@ def test_the_first_change_that_an_error_offers_removes_it(design: Design) -> Non
         assert same_problem(issue) not in {same_problem(i) for i in check(changed)}, str(issue)
 
 
-def same_problem(issue: Issue) -> tuple[str, bool]:
-    """A rule and the member that breaks it."""
-    return issue.code, "pinion's" in issue.message
+def same_problem(issue: Issue) -> tuple[str, str]:
+    """A rule, and the size or the member that breaks it."""
+    return issue.code, issue.field if issue.code == "blank" else str("pinion's" in issue.message)
 
 
 def test_a_rule_can_be_asked_whenever_its_own_fields_are_fine() -> None:

@@ -22,6 +22,7 @@ _LARGEST_RIM_SHARE = 0.35
 _BORE_SHARE = 0.45
 _HUB_OVER_BORE = 1.7
 _SMALLEST_WALL_SHARE = 0.05
+_ROUNDING = 1 + 1e-5  # a limit may be typed with the six digits of its message
 
 
 @dataclass(frozen=True)
@@ -207,7 +208,7 @@ def _between(member: MemberGeometry, v: float, share: float) -> tuple[float, flo
 def _bore(sizes: BlankSizes, largest: float) -> float:
     if sizes.bore_diameter is None:
         return _BORE_SHARE * largest
-    if sizes.bore_diameter > largest:
+    if sizes.bore_diameter > _ROUNDING * largest:
         raise BlankError(
             "bore_diameter",
             f"a bore of {sizes.bore_diameter:.6g} mm leaves no wall under the roots; use at most {largest:.6g} mm",
@@ -220,21 +221,21 @@ def _hub(
 ) -> tuple[float, float]:
     given = sizes.hub_diameter
     hub = min(max(_HUB_OVER_BORE * bore, 0.3 * largest), 0.5 * (bore + largest)) if given is None else given
-    if not bore < hub < largest:
+    length = web if sizes.hub_length is None else sizes.hub_length
+    if (given is not None or length > web) and not bore < hub < largest:
         raise BlankError(
             "hub_diameter",
             f"a hub of {hub:.6g} mm must lie between the bore and the rim; use more than {bore:.6g} "
             f"and less than {largest:.6g} mm",
         )
-    length = web if sizes.hub_length is None else sizes.hub_length
     reach = back - crown_height(member)
-    if length > reach:
+    if sizes.hub_length is not None and length > _ROUNDING * reach:
         raise BlankError("hub_length", f"a hub {length:.6g} mm long reaches beyond the toe; use at most {reach:.6g} mm")
     return hub, length
 
 
 def _shank_radius(sizes: BlankSizes, largest: float) -> float:
-    if sizes.shank_diameter / 2 > largest:
+    if sizes.shank_diameter / 2 > _ROUNDING * largest:
         raise BlankError(
             "shank_diameter",
             f"a shank of {sizes.shank_diameter:.6g} mm is wider than the back face; use at most {2 * largest:.6g} mm",
