@@ -21,12 +21,12 @@ if TYPE_CHECKING:
     from gearstudio.catalogue import MemberName, Variant
     from gearstudio.design import Design
     from gearstudio.nurbs import NurbsSurface
-    from gearstudio.results import VariantResult
+    from gearstudio.results import SolidResult, VariantResult
 
 Report = Callable[[str, float], None]
 """Takes the stage that begins and the fraction done, 0 to 1."""
 
-Purpose = Literal["build", "export"]
+Purpose = Literal["build", "solid", "export"]
 
 FLANK_FORMATS = ("step",)
 _EXPORT_SAMPLES = (9, 9)
@@ -86,6 +86,28 @@ class BuildJob(Job):
 
         report("building", 0.0)
         return build_variant(self.design, self.member, self.method, self.variant, self.samples)
+
+
+@dataclass(frozen=True)
+class GearJob(Job):
+    """Build a member's whole solid, check it and weigh it."""
+
+    purpose: ClassVar[Purpose] = "solid"
+
+    design: Design
+    member: str
+    method: str
+    variant: Variant
+    construction: str = "assemble"
+
+    @property
+    def label(self) -> str:
+        return f"{self.member} gear, {self.method}, {self.variant}"
+
+    def run(self, report: Report) -> SolidResult:
+        from gearstudio.methods.gear import solid_result
+
+        return solid_result(self.design, self.member, self.method, self.variant, self.construction, report)
 
 
 @dataclass(frozen=True)

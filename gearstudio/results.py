@@ -83,3 +83,64 @@ class VariantResult:
     degree: tuple[int, int]
     seconds: float
     settings: Mapping[str, Any] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class FaceResult:
+    """One face of a tooth: ``kind`` ("root", "fillet", "meridian", "flank", "tip") and the side it is on."""
+
+    kind: str
+    side: int
+    surface: NurbsSurface
+
+
+@dataclass(frozen=True)
+class MassProperties:
+    """Of a body of unit density: volume [mm^3], area [mm^2], centre [mm], inertia about it [mm^5] (3, 3)."""
+
+    volume: float
+    area: float
+    centre: tuple[float, float, float]
+    inertia: Floats
+
+
+@dataclass(frozen=True)
+class SolidResult:
+    """A member's solid, as far as a window needs it: enough to draw it exactly and to say what it is worth.
+
+    Attributes
+    ----------
+    faces : tuple of FaceResult
+        Of one pitch, over [0, 1]², with growing azimuth (u) and from toe to heel (v), in the order of
+        azimuth; turned by the pitch they are the other teeth.
+    outline : ndarray, shape (n, 2)
+        (radius, height) of the turned body from heel to toe [mm].
+    spherical_ends : bool
+    valid, closed : bool
+        The kernel's full check.
+    face_count : int
+        Of the solid.
+    gap : float
+        Largest gap between neighbouring faces [mm].
+    properties : MassProperties
+    box : ndarray, shape (2, 3)
+        Least and greatest coordinates [mm].
+    seconds : float
+        Building and checking alone.
+    """
+
+    member: str
+    method: str
+    variant: str
+    construction: str
+    teeth: int
+    faces: tuple[FaceResult, ...]
+    outline: Floats
+    spherical_ends: bool
+    valid: bool
+    closed: bool
+    face_count: int
+    gap: float
+    properties: MassProperties
+    box: Floats
+    seconds: float

@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+import time
+from collections.abc import Callable
 from dataclasses import dataclass
 
 from gearstudio.catalogue import Variant
 from gearstudio.design import Design
 from gearstudio.errors import GeometryError, ModellingError
 from gearstudio.kernel.shell import GearShell, assembled
+from gearstudio.kernel.solids import check_solid, is_valid
 from gearstudio.methods.base import Target
 from gearstudio.methods.tooth import Tooth, build_tooth
+from gearstudio.results import FaceResult, MassProperties, SolidResult
 from gearstudio.theory.blank import BlankOutline, BlankSizes, blank_outline
 from gearstudio.theory.cones import MemberGeometry, pair_geometry
 
@@ -55,3 +59,45 @@ def build_gear(design: Design, member: str, method_id: str, variant: Variant) ->
     surfaces = [face.surface for face in tooth.faces]
     shell = assembled(surfaces, geometry.teeth, outline.points, geometry.ends == "sphere")
     return Gear(geometry, tooth, outline, shell)
+
+
+def solid_result(
+    design: Design,
+    member: str,
+    method_id: str,
+    variant: Variant,
+    construction: str,
+    report: Callable[[str, float], None],
+) -> SolidResult:
+    """Build a member's solid, check it and weigh it; ``report(stage, fraction)`` tells how far it is.
+
+    Raises
+    ------
+    BlankError, ModellingError
+        As `build_gear`.
+    """
+    report("building", 0.0)
+    started = time.perf_counter()
+    gear = build_gear(design, member, method_id, variant)
+    report("checking", 0.3)
+    valid = is_valid(gear.shell.solid)
+    seconds = time.perf_counter() - started
+    report("weighing", 0.5)
+    check = check_solid(gear.shell.solid)
+    return SolidResult(
+        member=member,
+        method=method_id,
+        variant=variant,
+        construction=construction,
+        teeth=gear.member.teeth,
+        faces=tuple(FaceResult(face.kind, face.side, face.surface) for face in gear.tooth.faces),
+        outline=gear.outline.points,
+        spherical_ends=gear.member.ends == "sphere",
+        valid=valid,
+        closed=check.closed,
+        face_count=check.faces,
+        gap=gear.shell.tolerance,
+        properties=MassProperties(check.volume, check.area, check.centre, check.inertia),
+        box=check.box,
+        seconds=seconds,
+    )
