@@ -181,9 +181,9 @@ class JobThread(threading.Thread):
         except wire.UnreadableMessageError as error:
             self._failed(f"its result could not be read: {error}", traceback.format_exc())
         else:
-            self._handle(process, message)
+            self._act_on(process, message)
 
-    def _handle(self, process: WorkerProcess, message: object) -> None:
+    def _act_on(self, process: WorkerProcess, message: object) -> None:
         running = self._queue.running
         awaited = running if running is not None and not running.superseded else None
         match message:
