@@ -57,21 +57,24 @@ def make_application(argv: Sequence[str]) -> QApplication:
 class Studio(QObject):
     """A window with everything behind it; the heavy parts come after the first paint."""
 
-    def __init__(self, theme: Theme, settings: QSettings | None = None, path: Path | None = None) -> None:
+    def __init__(self, theme: Theme, settings: QSettings | None = None, design: str | None = None) -> None:
         super().__init__()
-        self._theme, self._path = theme, path
+        self._theme, self._design = theme, design
         self.session = Session(self)
         self.window = MainWindow(self.session, settings)
         self.files = Files(self.session, self.window)
         self.controller = Controller(self.session, self.window, self.files)
         self.loader = Loader(parent=self)
         self._dialogs: list[ReportDialog] = []
+        self._closed = False
         self.loader.loaded.connect(self._on_loaded)
         self.loader.failed.connect(self._on_failed)
         self.window.first_painted.connect(self.loader.start)
-        self.window.closing.connect(self.loader.stop)
+        self.window.closing.connect(self._on_closing)
         theme.changed.connect(lambda _tokens: self.controller.refresh_theme(is_dark()))
         self._connect_help()
+        theme.apply()
+        self.window.restore_layout()
 
     @Slot(str)
     def report_crash(self, report: str) -> None:
@@ -83,11 +86,17 @@ class Studio(QObject):
         if not any(dialog.isVisible() for dialog in self._dialogs):
             self._show_report("Unexpected error", words, report)
 
+    def _on_closing(self) -> None:
+        self._closed = True
+        self.loader.stop()
+
     def _on_loaded(self, stage: str) -> None:
+        if self._closed:
+            return
         log.info("loaded: %s", stage)
         if stage == "core":
             self._fill_presets()
-            self.controller.begin(self._path)
+            self.controller.begin(self._design)
         elif stage == "worker":
             from ui.runner import JobRunner
 
@@ -97,6 +106,8 @@ class Studio(QObject):
             self._make_views()
 
     def _on_failed(self, stage: str, text: str, details: str) -> None:
+        if self._closed:
+            return
         if stage == "views":
             self.window.area.placeholder.set_text("The 3D view could not be loaded.", waiting=False)
         self.window.messages.show_message("error", f"A part of GearStudio could not be loaded: {text}", details)
@@ -148,10 +159,16 @@ class Studio(QObject):
 
 
 def main(argv: Sequence[str] | None = None) -> int:
-    """Open the window: ``[DESIGN]``, or ``--demo DIR`` to leave a picture of it in a folder. The exit status."""
+    """Open the window on a design (a file or ``preset:KEY``), or leave a picture of it with ``--demo DIR``.
+
+    Returns
+    -------
+    int
+        The exit status.
+    """
     arguments = list(sys.argv[1:] if argv is None else argv)
     parser = argparse.ArgumentParser(prog="gearstudio", description="Desktop studio for spiral bevel gears")
-    parser.add_argument("design", nargs="?", type=Path, help="design file (.gear.toml)")
+    parser.add_argument("design", nargs="?", help="design file (.gear.toml), or preset:KEY")
     parser.add_argument("--demo", type=Path, metavar="DIR", help="save a picture of the window in DIR and leave")
     options = parser.parse_args(arguments)
     application = make_application(sys.argv)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import logging
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QObject, Signal, Slot
+from PySide6.QtCore import QElapsedTimer, QObject, Signal, Slot
 
 from ui.debounce import Debounce
 from ui.formatting import METHOD_TITLES, VARIANT_TITLES
@@ -41,6 +41,7 @@ class Builds(QObject):
         self._runner: JobRunner | None = None
         self._awaited: dict[Key, BuildJob] = {}
         self._requested = 0
+        self._last_edit = QElapsedTimer()
         self.pause = Debounce(EDIT_PAUSE_MS, self)
         self.pause.settled.connect(self.build_missing)
 
@@ -56,7 +57,10 @@ class Builds(QObject):
 
     @Slot()
     def build_soon(self) -> None:
-        """The design has changed: build when it has come to rest."""
+        """The design has changed: build at once after a time of rest, else when the edits come to rest."""
+        if not self._awaited and self._last_edit.hasExpired(EDIT_PAUSE_MS):
+            self.build_missing()
+        self._last_edit.start()
         self.pause.push()
 
     @Slot()

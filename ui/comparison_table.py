@@ -158,8 +158,7 @@ class ComparisonTable(QWidget):
         layout = QVBoxLayout(self)
         layout.setContentsMargins(4, 0, 8, 6)
         layout.addWidget(card)
-        self._size_columns()
-        self.setFixedHeight(self.view.horizontalHeader().sizeHint().height() + 6 * self._row_height() + 18)
+        self._fit()
 
     def refresh(self) -> None:
         """Show the session's results again."""
@@ -185,13 +184,14 @@ class ComparisonTable(QWidget):
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
-        if event.type() == QEvent.Type.FontChange:
-            self._size_columns()
+        if event.type() in (QEvent.Type.FontChange, QEvent.Type.StyleChange) and hasattr(self, "view"):
+            self._fit()
 
-    def _row_height(self) -> int:
-        return self.view.verticalHeader().defaultSectionSize()
-
-    def _size_columns(self) -> None:
+    def _fit(self) -> None:
+        """Make room for every row and for the widest texts."""
+        heading = self.view.horizontalHeader().sizeHint().height()
+        rows = self.model.rowCount() * self.view.verticalHeader().defaultSectionSize()
+        self.setFixedHeight(heading + rows + 18)
         font = self.view.font()
         font.setBold(True)
         metrics = QFontMetrics(font)

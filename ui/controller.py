@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import logging
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from PySide6.QtCore import QObject, Signal
@@ -55,11 +54,12 @@ class Controller(QObject):
 
     # ---- heavy parts arrive --------------------------------------------------------------------------
 
-    def begin(self, path: Path | None = None) -> None:
+    def begin(self, name: str | None = None) -> None:
         """The core is loaded: judge the default design, or open a file."""
+        self.window.layer_panel.fill()
         self.session.load(self.session.design)
-        if path is not None:
-            self.files.open_path(path)
+        if name is not None:
+            self.files.open_named(name)
 
     def use_runner(self, runner: JobRunner) -> None:
         """The CAD process can be started."""

@@ -17,11 +17,11 @@ PATIENCE_S = 180
 SIZE = (1600, 960)
 
 
-def run_and_leave(directory: Path, theme: Theme, design: Path | None = None) -> int:
+def run_and_leave(directory: Path, theme: Theme, design: str | None = None) -> int:
     """Save ``gearstudio.png`` of the window with all six variants built; 0, or 1 with a line on stderr."""
     directory.mkdir(parents=True, exist_ok=True)
     theme.choose(Qt.ColorScheme.Light)
-    studio = Studio(theme, path=design)
+    studio = Studio(theme, design=design)
     window = studio.window
     window.resize(*SIZE)
     window.reset_layout()

@@ -8,7 +8,6 @@ import platform
 import sys
 import threading
 import traceback
-from importlib import metadata
 from pathlib import Path
 from types import TracebackType
 
@@ -44,6 +43,8 @@ def start_logging() -> None:
 
 def versions() -> str:
     """Versions of the program and of everything that its results depend on."""
+    from importlib import metadata
+
     lines = [f"GearStudio {gearstudio.__version__}", f"Python {platform.python_version()}, {platform.platform()}"]
     lines.append(f"Qt {qVersion()}, {QGuiApplication.platformName()}")
     for package in PACKAGES:

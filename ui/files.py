@@ -59,6 +59,18 @@ class Files(QObject):
         if name:
             self.open_path(Path(name))
 
+    def open_named(self, name: str) -> None:
+        """Open a design file, or a preset as ``preset:KEY``."""
+        from gearstudio.project import PRESET_PREFIX, open_design
+
+        if not name.startswith(PRESET_PREFIX):
+            self.open_path(Path(name))
+            return
+        try:
+            self._take(open_design(name), None)
+        except FileError as error:
+            self._window.messages.show_message("error", str(error), topic="file")
+
     def open_path(self, path: Path) -> bool:
         """Open a design file; when it cannot be used, say why and keep what there is."""
         from gearstudio.project import load_design

@@ -33,33 +33,34 @@ CHOICE_TITLES = {
 }
 
 
-def significant(value: float, digits: int = 3) -> str:
-    """A number with so many significant digits, without an exponent, a true minus sign before negatives."""
+def significant(value: float, digits: int = 3, most_decimals: int = 9) -> str:
+    """A number with so many significant digits and no exponent; a true minus sign before negatives."""
     if not math.isfinite(value):
         return "–"
     if value == 0:
         return "0"
     rounded = float(f"{value:.{digits - 1}e}")
-    decimals = max(0, digits - 1 - math.floor(math.log10(abs(rounded))))
-    return f"{rounded:.{decimals}f}".replace("-", MINUS)
+    decimals = min(max(0, digits - 1 - math.floor(math.log10(abs(rounded)))), most_decimals)
+    return fixed(rounded, decimals)
 
 
 def micrometres(value_um: float) -> str:
-    """A deviation for a title, in the unit that reads best: ``54.6 µm``, ``31.2 nm``, ``< 0.01 nm``."""
-    size = abs(value_um)
-    if size >= 0.1:
-        return f"{significant(value_um)} µm"
-    if size >= 1e-5:
-        return f"{significant(value_um * 1e3)} nm"
-    return "< 0.01 nm"
+    """A deviation in the unit that reads best: ``54.6 µm``, ``31.2 nm``, ``0.054 nm``, ``< 0.001 nm``."""
+    if 0 < abs(value_um) < 5e-7:
+        return "< 0.001 nm"
+    unit, factor = _unit(value_um)
+    return f"{significant(value_um * factor, most_decimals=3)} {unit}"
 
 
 def span(lowest_um: float, highest_um: float) -> str:
     """Two signed deviations in one unit: ``−46.7 … +42.7 µm``."""
-    largest = max(abs(lowest_um), abs(highest_um))
-    unit, factor = ("µm", 1.0) if largest >= 0.1 else ("nm", 1e3)
-    low, high = (significant(value * factor) for value in (lowest_um, highest_um))
+    unit, factor = _unit(max(abs(lowest_um), abs(highest_um)))
+    low, high = (significant(value * factor, most_decimals=3) for value in (lowest_um, highest_um))
     return f"{low} … {'+' if highest_um > 0 else ''}{high} {unit}"
+
+
+def _unit(largest_um: float) -> tuple[str, float]:
+    return ("µm", 1.0) if abs(largest_um) >= 0.1 else ("nm", 1e3)
 
 
 def seconds(value: float) -> str:

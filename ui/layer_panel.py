@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Collection
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QSignalBlocker, Qt, Signal
 from PySide6.QtGui import QColor, QPainter, QPaintEvent
 from PySide6.QtWidgets import QCheckBox, QFrame, QHBoxLayout, QScrollArea, QVBoxLayout, QWidget
 
-from ui.layers import LAYER_SETS, LAYERS, LayerInfo
 from ui.method_bar import Segments
 from ui.theme import is_dark
+
+if TYPE_CHECKING:
+    from ui.layers import LayerInfo
 
 
 class LayerPanel(QWidget):
@@ -29,16 +32,13 @@ class LayerPanel(QWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._boxes: dict[str, QCheckBox] = {}
-        self.sets = Segments([(name, name, f"Show: {_titles(ids)}") for name, ids in LAYER_SETS], "Set of layers")
-        self.sets.chosen.connect(lambda name: self.set_chosen.emit(dict(LAYER_SETS)[name]))
+        self._sets: dict[str, frozenset[str]] = {}
+        self.sets = Segments((), "Set of layers")
         page = QWidget()
         page.setProperty("role", "page")
-        rows = QVBoxLayout(page)
-        rows.setContentsMargins(12, 8, 10, 8)
-        rows.setSpacing(7)
-        for info in LAYERS:
-            rows.addLayout(self._make_row(info))
-        rows.addStretch(1)
+        self._rows = QVBoxLayout(page)
+        self._rows.setContentsMargins(12, 8, 10, 8)
+        self._rows.setSpacing(7)
         scroll = QScrollArea()
         scroll.setWidgetResizable(True)
         scroll.setFrameShape(QFrame.Shape.NoFrame)
@@ -54,14 +54,31 @@ class LayerPanel(QWidget):
         layout.setSpacing(6)
         layout.addWidget(self.sets)
         layout.addWidget(card, 1)
-        self.setMinimumWidth(page.sizeHint().width() + 24)
+
+    def fill(self) -> None:
+        """Make the rows, which needs the arrays' library: once, after the first paint."""
+        from ui.layers import LAYER_SETS, LAYERS
+
+        titles = {info.id: info.title.lower() for info in LAYERS}
+        for name, ids in LAYER_SETS:
+            words = ", ".join(title for layer_id, title in titles.items() if layer_id in ids)
+            self.sets.add(name, name, f"Show: {words}")
+        self._sets = dict(LAYER_SETS)
+        self.sets.chosen.connect(lambda name: self.set_chosen.emit(self._sets[name]))
+        for info in LAYERS:
+            self._rows.addLayout(self._make_row(info))
+        self._rows.addStretch(1)
+
+    def box(self, layer_id: str) -> QCheckBox:
+        """The check box of a layer."""
+        return self._boxes[layer_id]
 
     def show_visible(self, layer_ids: Collection[str]) -> None:
         """Show which layers are on without announcing it."""
         for layer_id, box in self._boxes.items():
             with QSignalBlocker(box):
                 box.setChecked(layer_id in layer_ids)
-        for name, ids in LAYER_SETS:
+        for name, ids in self._sets.items():
             if ids == frozenset(layer_ids):
                 self.sets.set_choice(name)
                 return
@@ -94,7 +111,3 @@ class Swatch(QWidget):
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(QColor(self._ink.dark if is_dark() else self._ink.light))
         painter.drawRoundedRect(self.rect(), 3, 3)
-
-
-def _titles(layer_ids: Collection[str]) -> str:
-    return ", ".join(info.title.lower() for info in LAYERS if info.id in layer_ids)

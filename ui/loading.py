@@ -13,7 +13,15 @@ from PySide6.QtCore import QObject, Signal, Slot
 STAGES: Mapping[str, tuple[str, ...]] = {
     "core": ("gearstudio.validation", "gearstudio.theory.cones", "gearstudio.project"),
     "worker": ("gearstudio.jobs", "ui.runner"),
-    "views": ("ui.scene", "ui.color_bar", "ui.roll_slider", "ui.view_grid"),
+    "views": (
+        "pyvista",
+        "vtkmodules.vtkRenderingOpenGL2",
+        "pyvistaqt",
+        "ui.scene",
+        "ui.color_bar",
+        "ui.roll_slider",
+        "ui.view_grid",
+    ),
 }
 log = logging.getLogger(__name__)
 
@@ -44,7 +52,7 @@ class Loader(QObject):
         self._thread.start()
 
     def stop(self) -> None:
-        """Ask it to end after the module it is at, and wait for that; no signal is acted on afterwards."""
+        """Ask it to end after the module it is at, and wait for that; a signal may still be on its way."""
         self._stop.set()
         if self._thread.is_alive():
             self._thread.join()

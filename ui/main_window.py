@@ -6,7 +6,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 from PySide6.QtCore import QByteArray, QSettings, QSize, Qt, QTimer, Signal
-from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QIcon, QPaintEvent
+from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QGuiApplication, QIcon, QPaintEvent
 from PySide6.QtWidgets import QDockWidget, QMainWindow, QSizePolicy, QToolBar, QWidget
 
 from ui.actions import Actions
@@ -24,6 +24,7 @@ from ui.view_area import ViewArea
 LAYOUT_VERSION = 1
 ROOMY_WIDTH = 1500
 """From this width on the list of layers is open from the start."""
+FORM_WIDTH, LAYERS_WIDTH = 356, 252
 LEFT = Qt.DockWidgetArea.LeftDockWidgetArea
 RIGHT = Qt.DockWidgetArea.RightDockWidgetArea
 BOTTOM = Qt.DockWidgetArea.BottomDockWidgetArea
@@ -70,7 +71,6 @@ class MainWindow(QMainWindow):
         self._make_toolbar()
         self._make_docks()
         self.setMinimumSize(960, 600)
-        self._restore()
 
     @property
     def messages(self) -> MessageBar:
@@ -91,6 +91,17 @@ class MainWindow(QMainWindow):
         for widget in self.findChildren(QWidget):
             widget.update()
 
+    def restore_layout(self) -> None:
+        """Take the size and arrangement of the last time, or those of a new window; the style must be known."""
+        available = QGuiApplication.primaryScreen().availableGeometry()
+        self.resize(min(1480, available.width()), min(940, available.height() - 30))
+        self.reset_layout()
+        if self._settings is not None:
+            geometry, layout = (self._settings.value(name) for name in ("geometry", "layout"))
+            if isinstance(geometry, QByteArray) and isinstance(layout, QByteArray):
+                self.restoreGeometry(geometry)
+                self.restoreState(layout, LAYOUT_VERSION)
+
     def reset_layout(self) -> None:
         """Put every panel back in its place."""
         for dock, area in self._docks.items():
@@ -101,7 +112,7 @@ class MainWindow(QMainWindow):
         self.splitDockWidget(parameters, derived, Qt.Orientation.Vertical)
         layers.setVisible(self.width() >= ROOMY_WIDTH)
         self.resizeDocks([parameters, derived], [62, 38], Qt.Orientation.Vertical)
-        self.resizeDocks([parameters, layers], [356, layers.sizeHint().width()], Qt.Orientation.Horizontal)
+        self.resizeDocks([parameters, layers], [FORM_WIDTH, LAYERS_WIDTH], Qt.Orientation.Horizontal)
         self.resizeDocks([comparison], [comparison.sizeHint().height()], Qt.Orientation.Vertical)
 
     def paintEvent(self, event: QPaintEvent) -> None:
@@ -131,6 +142,7 @@ class MainWindow(QMainWindow):
         if self._settings is not None:
             self._settings.setValue("geometry", self.saveGeometry())
             self._settings.setValue("layout", self.saveState(LAYOUT_VERSION))
+        self.hide()
         self.closing.emit()
         self.area.close_views()
         event.accept()
@@ -165,16 +177,6 @@ class MainWindow(QMainWindow):
         dock.setObjectName(title)
         dock.setWidget(widget)
         return dock
-
-    def _restore(self) -> None:
-        available = self.screen().availableGeometry()
-        self.resize(min(1480, available.width()), min(940, available.height() - 30))
-        self.reset_layout()
-        if self._settings is not None:
-            geometry, layout = (self._settings.value(name) for name in ("geometry", "layout"))
-            if isinstance(geometry, QByteArray) and isinstance(layout, QByteArray):
-                self.restoreGeometry(geometry)
-                self.restoreState(layout, LAYOUT_VERSION)
 
 
 def _dropped_design(event: QDropEvent) -> Path | None:

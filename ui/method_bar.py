@@ -41,16 +41,20 @@ class Segments(QFrame):
         self._group = QButtonGroup(self)
         self._group.setExclusive(True)
         self._buttons: dict[str, QPushButton] = {}
-        layout = QHBoxLayout(self)
-        layout.setContentsMargins(2, 2, 2, 2)
-        layout.setSpacing(1)
-        for identifier, title, tip in choices:
-            button = _BoldStableButton(title)
-            button.setToolTip(tip)
-            button.clicked.connect(lambda _checked, chosen=identifier: self.chosen.emit(chosen))
-            self._group.addButton(button)
-            self._buttons[identifier] = button
-            layout.addWidget(button)
+        self._row = QHBoxLayout(self)
+        self._row.setContentsMargins(2, 2, 2, 2)
+        self._row.setSpacing(1)
+        for choice in choices:
+            self.add(*choice)
+
+    def add(self, identifier: str, title: str, tip: str) -> None:
+        """Append a choice."""
+        button = _BoldStableButton(title)
+        button.setToolTip(tip)
+        button.clicked.connect(lambda _checked: self.chosen.emit(identifier))
+        self._group.addButton(button)
+        self._buttons[identifier] = button
+        self._row.addWidget(button)
 
     def set_choice(self, identifier: str) -> None:
         """Show a choice without announcing it."""

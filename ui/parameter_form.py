@@ -15,6 +15,7 @@ from gearstudio.errors import Issue
 from ui.fields import set_severity
 from ui.form_rows import FieldRow, Section
 
+MINIMUM_WIDTH = 330
 MESSAGE_DELAY_MS = 250
 """A wrong value is framed at once; its message, which moves the rows below, waits for a pause in typing."""
 
@@ -111,6 +112,7 @@ class ParameterForm(QWidget):
         scroll.setFrameShape(QFrame.Shape.NoFrame)
         scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         scroll.setWidget(page)
+        scroll.setMinimumWidth(MINIMUM_WIDTH)
         return scroll
 
     def _make_row(self, spec: FieldSpec) -> FieldRow:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, QTimer, Slot
@@ -12,8 +13,7 @@ from ui.session import Key, Session
 if TYPE_CHECKING:
     from gearstudio.results import VariantResult
     from gearstudio.theory.cones import MemberGeometry
-    from ui.layers import Layer
-    from ui.scene import SceneOptions
+    from ui.layers import Layer, Panel
     from ui.view_area import ViewArea
 
 REDRAW_PAUSE_MS = 15
@@ -49,6 +49,7 @@ class Presenter(QObject):
         self._area = area
         self._roll = 1.0
         self._flank = "concave"
+        self._rolled: tuple[tuple[MemberGeometry, float, str], tuple[Layer, ...]] | None = None
         self._made: dict[Key, tuple[VariantResult, tuple[Layer, ...]]] = {}
         self._redraw = QTimer(self, singleShot=True, interval=REDRAW_PAUSE_MS)
         self._redraw.timeout.connect(self.redraw)
@@ -71,7 +72,7 @@ class Presenter(QObject):
         if grid is None or session.pair is None:
             return
         from ui.layers import Panel
-        from ui.scene import member_layers, roll_span_deg
+        from ui.scene import member_layers
 
         member = session.pair.member(session.member)
         shared = (*member_layers(member), *self._rolling(member))
@@ -79,10 +80,11 @@ class Presenter(QObject):
             Panel(key.method, view_title(key), view_subtitle(session, key), (*shared, *self._layers_of(key)))
             for key in session.visible_keys
         ]
-        grid.set_panels(panels)
+        if _same_layers(panels, grid.panels):
+            grid.set_titles({panel.key: (panel.title, panel.subtitle) for panel in panels})
+        else:
+            grid.set_panels(panels)
         self._show_color_range()
-        if self._area.roll_slider is not None:
-            self._area.roll_slider.set_span(roll_span_deg(member, self._options()))
 
     def set_roll(self, roll: float) -> None:
         """Roll the tangent plane to a place in [0, 1]."""
@@ -106,14 +108,16 @@ class Presenter(QObject):
             self._area.color_bar.set_data_limit(max(result.statistics.max_um for result in shown))
 
     def _rolling(self, member: MemberGeometry) -> tuple[Layer, ...]:
-        from ui.scene import rolling_layers
+        """The rolling plane, computed anew only when it is another one."""
+        from ui.scene import SceneOptions, roll_span_deg, rolling_layers
 
-        return rolling_layers(member, self._roll, self._options())
-
-    def _options(self) -> SceneOptions:
-        from ui.scene import SceneOptions
-
-        return SceneOptions(flank=self._flank)
+        wanted = (member, self._roll, self._flank)
+        if self._rolled is None or self._rolled[0] != wanted:
+            options = SceneOptions(flank=self._flank)
+            self._rolled = wanted, rolling_layers(member, self._roll, options)
+            if self._area.roll_slider is not None:
+                self._area.roll_slider.set_span(roll_span_deg(member, options))
+        return self._rolled[1]
 
     def _layers_of(self, key: Key) -> tuple[Layer, ...]:
         """Layers of a result, made once; those of results that are gone are forgotten."""
@@ -127,3 +131,10 @@ class Presenter(QObject):
         if key not in self._made:
             self._made[key] = (result, result_layers(result))
         return self._made[key][1]
+
+
+def _same_layers(some: Sequence[Panel], others: Sequence[Panel]) -> bool:
+    """Whether the panels differ at most in their words."""
+    return [(panel.key, *map(id, panel.layers)) for panel in some] == [
+        (panel.key, *map(id, panel.layers)) for panel in others
+    ]

@@ -16,6 +16,7 @@ from PySide6.QtSvg import QSvgRenderer
 from PySide6.QtWidgets import QAbstractButton, QApplication, QWidget
 
 HERE = Path(__file__).parent
+ICON_SIZES = (20, 40)
 DARK_PROPERTY, ICON_PROPERTY = "gearstudio_dark", "gearstudio_icon"
 
 
@@ -135,16 +136,12 @@ def style_sheet(colors: Tokens) -> str:
 
 
 def icon(name: str) -> QIcon:
-    """Icon ``icons/NAME.svg``, drawn in the theme's text colour (greyed when disabled), sharp at every scale."""
+    """Icon ``icons/NAME.svg``, drawn in the theme's text colour (greyed when disabled), sharp at double scale too."""
     colors = tokens()
     svg = (HERE / "icons" / f"{name}.svg").read_text(encoding="utf-8")
     made = QIcon()
-    for mode, color in (
-        (QIcon.Mode.Normal, colors.text),
-        (QIcon.Mode.Active, colors.text),
-        (QIcon.Mode.Disabled, colors.faint),
-    ):
-        for size in (16, 20, 24, 32, 48):
+    for mode, color in ((QIcon.Mode.Normal, colors.text), (QIcon.Mode.Disabled, colors.faint)):
+        for size in ICON_SIZES:
             made.addPixmap(_paint(svg.replace("currentColor", color), size), mode)
     return made
 
@@ -188,8 +185,8 @@ class Theme(QObject):
         self._application = application
         self._chosen = Qt.ColorScheme.Unknown
         application.setStyle("Fusion")
+        self._take_scheme()
         application.styleHints().colorSchemeChanged.connect(self._on_scheme_changed)
-        self._apply()
 
     def choose(self, scheme: Qt.ColorScheme) -> None:
         """Light or dark by the user's choice; ``Unknown`` follows the system again."""
@@ -197,14 +194,18 @@ class Theme(QObject):
         self._application.styleHints().setColorScheme(scheme)
         self._on_scheme_changed()
 
+    def apply(self) -> None:
+        """Give the application the style sheet: once for a window that is complete, not widget by widget."""
+        self._application.setStyleSheet(style_sheet(tokens()))
+
     def _on_scheme_changed(self) -> None:
-        self._apply()
+        self._take_scheme()
+        self.apply()
         self.changed.emit(tokens())
 
-    def _apply(self) -> None:
+    def _take_scheme(self) -> None:
         scheme = self._chosen
         if scheme == Qt.ColorScheme.Unknown:
             scheme = self._application.styleHints().colorScheme()
         self._application.setProperty(DARK_PROPERTY, scheme == Qt.ColorScheme.Dark)
         self._application.setPalette(palette(tokens()))
-        self._application.setStyleSheet(style_sheet(tokens()))

@@ -7,7 +7,7 @@ redraws the scene: the ray is cast in numpy and the markers are small Qt widgets
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -101,6 +101,14 @@ class ViewGrid(QWidget):
         if any(layer.layer_id in self._visible for layer in layers):
             self.viewport.set_moving()
             self._refresh()
+
+    def set_titles(self, titles: Mapping[str, tuple[str, str]]) -> None:
+        """New (title, subtitle) of panels, by key; the scene is not drawn again for them."""
+        self._panels = tuple(
+            replace(panel, title=titles[panel.key][0], subtitle=titles[panel.key][1]) if panel.key in titles else panel
+            for panel in self._panels
+        )
+        self._place_overlays()
 
     def set_color_range(self, limit_um: float) -> None:
         """Colours run from -limit to +limit [µm] in every view."""

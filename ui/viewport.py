@@ -245,6 +245,7 @@ class Viewport(QtInteractor):
     def closeEvent(self, event: QCloseEvent) -> None:
         self._still.stop()
         super().closeEvent(event)
+        self._forget_context()  # its wrappers would outlive what they stand for
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)

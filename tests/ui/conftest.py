@@ -1,0 +1,52 @@
+"""What the tests of the window share: one application set up as the program's own, and a look for leaks."""
+
+from __future__ import annotations
+
+import gc
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import QCoreApplication, QSettings, QStandardPaths, Qt
+from PySide6.QtWidgets import QApplication
+
+from ui.app import prepare_qt
+from ui.theme import Theme
+
+
+@pytest.fixture(scope="session")
+def qapp_cls() -> type[QApplication]:
+    """The application with the surface format and shared contexts of the program."""
+    if QApplication.instance() is None:
+        prepare_qt()
+        QCoreApplication.setAttribute(Qt.ApplicationAttribute.AA_DontUseNativeDialogs)
+    return QApplication
+
+
+@pytest.fixture(scope="session")
+def theme(qapp: QApplication) -> Theme:
+    made = Theme(qapp)
+    made.apply()
+    return made
+
+
+@pytest.fixture(autouse=True)
+def _own_settings(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Neither read nor change the settings and the log of whoever runs the tests."""
+    QStandardPaths.setTestModeEnabled(True)
+    QSettings.setPath(QSettings.Format.NativeFormat, QSettings.Scope.UserScope, str(tmp_path))
+    monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path))
+
+
+@pytest.fixture(autouse=True)
+def _no_view_is_left_open() -> Iterator[None]:
+    """Every interactor that a test made must be closed when the test ends."""
+    yield
+    module = sys.modules.get("ui.viewport")
+    if module is None:
+        return
+    left = [thing for thing in gc.get_objects() if type(thing) is module.Viewport and not thing._closed]
+    for thing in left:
+        thing.close()
+    assert not left, "a test left 3D views open"
