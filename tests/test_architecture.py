@@ -120,6 +120,12 @@ def test_files_are_small() -> None:
     assert statistics.median(count for count in lengths.values() if count) <= 170
 
 
+def is_stub(function: ast.FunctionDef) -> bool:
+    """Whether it only declares, as in a protocol, whose docstring speaks for its members."""
+    last = function.body[-1]
+    return isinstance(last, ast.Expr) and isinstance(last.value, ast.Constant) and last.value.value is ...
+
+
 def undocumented(tree: ast.Module) -> Iterator[str]:
     """Public names without a docstring; a method may leave it to the one of that name that it overrides."""
     if tree.body and not ast.get_docstring(tree):
@@ -130,7 +136,7 @@ def undocumented(tree: ast.Module) -> Iterator[str]:
         for node in definitions
         if isinstance(node, ast.ClassDef)
         for member in node.body
-        if isinstance(member, ast.FunctionDef)
+        if isinstance(member, ast.FunctionDef) and not is_stub(member)
     ]
     documented = {member.name for _, member in methods if ast.get_docstring(member)}
     yield from (node.name for node in definitions if node.name[0] != "_" and not ast.get_docstring(node))

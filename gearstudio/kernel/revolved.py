@@ -48,6 +48,7 @@ class Revolved:
 
     @property
     def is_cylinder(self) -> bool:
+        """Whether both ends have the same radius."""
         return not self.sphere and abs(self.last[0] - self.first[0]) < 1e-12 * self._size
 
     @property
