@@ -44,6 +44,8 @@ class Style:
         Drawn in its plain colour, whatever the light.
     lift : int
         Of coincident things the one with the higher lift is seen.
+    inside : Ink or None
+        What the surface shows from within the metal, in plain colour; None for the same as from outside.
     """
 
     ink: Ink
@@ -52,6 +54,7 @@ class Style:
     gloss: float = 0.15
     flat: bool = False
     lift: int = 0
+    inside: Ink | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -74,6 +77,10 @@ class Layer:
         Unit normals of a surface.
     scalars : ndarray, shape (n,), or None
         Deviation [µm], drawn with the shared colour scale.
+    body : str
+        What it moves with and is cut with; empty for what stands still and stays whole.
+    level : {"", "fine", "coarse"}
+        Drawn only while the picture stands still, or only while it moves; empty for always.
     """
 
     layer_id: str
@@ -84,6 +91,8 @@ class Layer:
     cells: Indices = field(default_factory=lambda: np.empty((0, 0), dtype=np.int64))
     normals: Floats | None = None
     scalars: Floats | None = None
+    body: str = ""
+    level: Literal["", "fine", "coarse"] = ""
 
     @property
     def key(self) -> str:
@@ -148,6 +157,9 @@ LAYERS: tuple[LayerInfo, ...] = (
     LayerInfo("gear", "All teeth", True, "The other teeth and the body, in light grey", GREY),
 )
 
+SOLID = "solid"
+"""Layers of whole gears: drawn whenever they are there, whatever the switches say."""
+
 LAYER_IDS = tuple(info.id for info in LAYERS)
 DEFAULT_VISIBLE = frozenset(info.id for info in LAYERS if info.visible)
 
@@ -172,7 +184,7 @@ def drawn(layers: Iterable[Layer], visible: Collection[str]) -> tuple[Layer, ...
     otherwise; and the tooth belongs to the whole gear as well.
     """
     layers = tuple(layers)
-    wanted, present = set(visible), {layer.layer_id for layer in layers}
+    wanted, present = {*visible, SOLID}, {layer.layer_id for layer in layers}
     if "gear" in wanted:
         wanted.add("tooth")
     if {"deviation"} & wanted & present:

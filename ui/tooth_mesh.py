@@ -6,7 +6,6 @@ between them stay crisp on a coarse grid. The other teeth are the same patches t
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
@@ -18,9 +17,9 @@ from gearstudio.theory.involute import azimuth_from_arc, involute_azimuth, polar
 from gearstudio.theory.profile import ToothProfile, tooth_profile
 from ui.grids import grid_normals, grid_triangles, on_cone, turned
 from ui.layers import GREY, TOOTH_BARED, TOOTH_WALLS, TOOTH_WHOLE, Layer, Style
+from ui.meshes import Mesh, copies, joined
 
 Floats = NDArray[np.float64]
-Indices = NDArray[np.int64]
 Angles = tuple[Floats, Floats]
 
 _RIM = 1.1
@@ -32,24 +31,15 @@ _ALONG = 33
 _STYLE, _BEHIND = Style(GREY, gloss=0.10), Style(GREY, gloss=0.10, lift=-1)
 
 
-@dataclass(frozen=True, eq=False)
-class Mesh:
-    """Points (n, 3), unit normals (n, 3) and triangles (m, 3)."""
-
-    points: Floats
-    normals: Floats
-    cells: Indices
-
-
 def context_layers(member: MemberGeometry) -> tuple[Layer, ...]:
     """The tooth with its flanks, the tooth without them, what closes it alone, and the rest of the gear."""
     fine, coarse = _Tooth(member, _SAMPLES, _ALONG), _Tooth(member, *_resolution(member.teeth))
-    others = _copies(_joined(coarse.faces(bared=False)), member.pitch * np.arange(1, member.teeth))
+    others = copies(_joined(coarse.faces(bared=False)), member.pitch * np.arange(1, member.teeth))
     return (
         _layer("tooth", TOOTH_WHOLE, _joined(fine.faces(bared=False))),
         _layer("tooth", TOOTH_BARED, _joined(fine.faces(bared=True))),
         _layer("tooth", TOOTH_WALLS, _joined(fine.walls())),
-        _layer("gear", "teeth", _joined_meshes([others, _joined([coarse.bore()])]), _BEHIND),
+        _layer("gear", "teeth", joined([others, _joined([coarse.bore()])]), _BEHIND),
     )
 
 
@@ -157,23 +147,7 @@ class _Tooth:
 
 def _joined(grids: list[Floats]) -> Mesh:
     meshes = [Mesh(g.reshape(-1, 3), grid_normals(g).reshape(-1, 3), grid_triangles(*g.shape[:2])) for g in grids]
-    return _joined_meshes(meshes)
-
-
-def _joined_meshes(meshes: list[Mesh]) -> Mesh:
-    starts = np.cumsum([0, *(len(mesh.points) for mesh in meshes[:-1])])
-    return Mesh(
-        np.concatenate([mesh.points for mesh in meshes]),
-        np.concatenate([mesh.normals for mesh in meshes]),
-        np.concatenate([mesh.cells + start for mesh, start in zip(meshes, starts, strict=True)]),
-    )
-
-
-def _copies(mesh: Mesh, azimuths: Floats) -> Mesh:
-    count = len(mesh.points)
-    cells = mesh.cells[None] + count * np.arange(len(azimuths))[:, None, None]
-    points, normals = turned(mesh.points, azimuths), turned(mesh.normals, azimuths)
-    return Mesh(points.reshape(-1, 3), normals.reshape(-1, 3), cells.reshape(-1, 3))
+    return joined(meshes)
 
 
 def _layer(layer_id: str, part: str, mesh: Mesh, style: Style = _STYLE) -> Layer:
