@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from dataclasses import dataclass
 
 from PySide6.QtCore import QObject
@@ -98,6 +99,20 @@ class Actions(QObject):
         """Tick what is shown, without announcing it."""
         for group, chosen in ((self.members, member), (self.methods, method), (self.variants, variant)):
             check(group, chosen)
+
+    def fill_layers(self) -> None:
+        """Make the list of layers, once the views are loaded."""
+        from ui.layers import LAYERS
+
+        for info in LAYERS:
+            action = self.layers.addAction(info.title)
+            action.setData(info.id)
+            action.setCheckable(True)
+
+    def show_layers(self, layer_ids: Collection[str]) -> None:
+        """Tick the layers that are on, without announcing it."""
+        for action in self.layers.actions():
+            action.setChecked(action.data() in layer_ids)
 
     def fill_toolbar(self, toolbar: QToolBar) -> None:
         """Put the usual commands on a toolbar."""

@@ -109,7 +109,8 @@ class Builds(QObject):
             self.other_job_failed.emit(job, text, details)
             return
         self._awaited.pop(key, None)
-        self._session.put_failure(job.design, key, Failure(text, details))
+        words = text.removeprefix(f"{key.method}: ")
+        self._session.put_failure(job.design, key, Failure(words[:1].upper() + words[1:], details))
 
     def _on_cancelled(self, job: Job) -> None:
         key = self._key(job)

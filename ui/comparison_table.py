@@ -126,7 +126,8 @@ class ComparisonModel(QAbstractTableModel):
     def _brush(self, key: Key, column: int) -> QBrush | None:
         if column < FIRST:
             return None
-        if key in self._session.failures:
+        failure = self._session.failures.get(key)
+        if failure is not None and not failure.cancelled:
             return QBrush(QColor(tokens().error))
         if column == SETTINGS:
             return QBrush(QColor(tokens().muted))

@@ -7,9 +7,10 @@ from typing import TYPE_CHECKING, Any
 
 from PySide6.QtCore import QObject, Signal
 
+from ui.analysis.presenter import AnalysisPresenter
 from ui.applicability import derived_hints, idle_fields
 from ui.builds import Builds
-from ui.presenter import Presenter
+from ui.presenter import Presenter, view_title
 from ui.session import Key, Session
 from ui.undo import History
 
@@ -42,6 +43,7 @@ class Controller(QObject):
         self.history = History()
         self.builds = Builds(session, self)
         self.presenter = Presenter(session, window.area, self)
+        self.analysis = AnalysisPresenter(session, window.analysis, self)
         self.runner: JobRunner | None = None
         self._connect_form()
         self._connect_selection()
@@ -77,11 +79,17 @@ class Controller(QObject):
         grid.hovered.connect(self._on_hovered)
         bar.limit_changed.connect(self.presenter.apply_color_range)
         slider.rolled.connect(self.presenter.set_roll)
+        self.window.commands.fill_layers()
+        self.window.commands.layers.triggered.connect(lambda a: self._on_layer_switched(a.data(), a.isChecked()))
         panel.layer_switched.connect(self._on_layer_switched)
         panel.set_chosen.connect(self._on_layer_set_chosen)
-        panel.show_visible(grid.visible_layers)
+        self._show_layers(grid.visible_layers)
         self.window.commands.views.triggered.connect(lambda action: grid.set_view(action.data()))
         self.presenter.redraw()
+
+    def charts_ready(self) -> None:
+        """The charts' library is loaded."""
+        self.analysis.use_charts()
 
     def refresh_theme(self, dark: bool) -> None:
         """The colours have changed."""
@@ -121,6 +129,7 @@ class Controller(QObject):
 
     def _connect_results(self) -> None:
         self.session.results_changed.connect(self._on_results_changed)
+        self.analysis.said.connect(lambda kind, text: self.window.messages.show_message(kind, text, topic="analysis"))
         self.builds.work_changed.connect(self._on_work_changed)
         self.builds.other_job_done.connect(self._on_export_done)
         self.builds.other_job_failed.connect(self._on_export_failed)
@@ -182,13 +191,17 @@ class Controller(QObject):
         grid = self.window.area.grid
         if grid is not None:
             grid.set_layer_visible(layer_id, visible)
-            self.window.layer_panel.show_visible(grid.visible_layers)
+            self._show_layers(grid.visible_layers)
 
     def _on_layer_set_chosen(self, layer_ids: frozenset[str]) -> None:
         grid = self.window.area.grid
         if grid is not None:
             grid.set_visible_layers(layer_ids)
-            self.window.layer_panel.show_visible(layer_ids)
+            self._show_layers(layer_ids)
+
+    def _show_layers(self, layer_ids: frozenset[str]) -> None:
+        self.window.layer_panel.show_visible(layer_ids)
+        self.window.commands.show_layers(layer_ids)
 
     # ---- what is shown -------------------------------------------------------------------------------
 
@@ -218,10 +231,11 @@ class Controller(QObject):
         self.window.table.refresh()
         if key is None or key in session.visible_keys:
             self.presenter.redraw_soon()
-        failed = [k for k in session.visible_keys if k in session.failures and session.failures[k].details]
-        if key is not None and key in failed:
+        failed = [k for k in session.visible_keys if k in session.failures and not session.failures[k].cancelled]
+        if key in failed:
             failure = session.failures[key]
-            self.window.messages.show_message("error", failure.message, failure.details, topic="build")
+            text = f"{view_title(key)}: {failure.message}"
+            self.window.messages.show_message("error", text, failure.details, topic="build")
         elif not failed:
             self.window.messages.clear("build")
         if not session.missing_keys():

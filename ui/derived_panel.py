@@ -30,6 +30,7 @@ if TYPE_CHECKING:
 
 
 INDENT = 8
+SYMBOL = Qt.ItemDataRole.UserRole
 
 
 @dataclass(frozen=True)
@@ -77,27 +78,27 @@ QUANTITIES = (
 )
 
 
-def pair_rows(pair: PairGeometry) -> tuple[tuple[str, str, str], ...]:
-    """Quantities of the pair as a whole: title, value, unit."""
+def pair_rows(pair: PairGeometry) -> tuple[tuple[str, str, str, str], ...]:
+    """Quantities of the pair as a whole: title, symbol, value, unit."""
     from gearstudio.theory.pair import overlap_ratio, transverse_contact_ratio
 
     across, along = transverse_contact_ratio(pair), overlap_ratio(pair)
     return (
-        ("Gear ratio", fixed(pair.wheel.teeth / pair.pinion.teeth, 4), ""),
-        ("Mean normal module m_n", fixed(pair.mean_normal_module, 3), "mm"),
-        ("Normal pressure angle α_n", fixed(math.degrees(pair.normal_pressure_angle), 3), "°"),
-        ("Transverse contact ratio ε_α", fixed(across, 3), ""),
-        ("Overlap ratio ε_β", fixed(along, 3), ""),
-        ("Total contact ratio ε_γ", fixed(math.hypot(across, along), 3), ""),
+        ("Gear ratio", "u", fixed(pair.wheel.teeth / pair.pinion.teeth, 4), ""),
+        ("Mean normal module", "m_n", fixed(pair.mean_normal_module, 3), "mm"),
+        ("Pressure angle, normal", "α_n", fixed(math.degrees(pair.normal_pressure_angle), 3), "°"),
+        ("Transverse contact ratio", "ε_α", fixed(across, 3), ""),
+        ("Overlap ratio", "ε_β", fixed(along, 3), ""),
+        ("Total contact ratio", "ε_γ", fixed(math.hypot(across, along), 3), ""),
     )
 
 
 class SymbolDelegate(QStyledItemDelegate):
-    """Paints a title whose last word is a symbol with its index below the line."""
+    """Paints a title and its symbol, with the index below the line."""
 
     def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: QModelIndex) -> None:
         self.initStyleOption(option, index)
-        title, _, symbol = option.text.rpartition(" ") if "_" in option.text else (option.text, "", "")
+        title, symbol = option.text, index.data(SYMBOL)
         option.text = ""
         option.widget.style().drawControl(QStyle.ControlElement.CE_ItemViewItem, option, painter, option.widget)
         words = escape(title).replace(" ", "&nbsp;")
@@ -148,12 +149,12 @@ class DerivedPanel(QWidget):
         shared = pair_rows(pair)
         self._table.setRowCount(len(rows) + len(shared))
         for row, (quantity, values) in enumerate(rows):
-            self._put(row, 0, _title(quantity))
+            self._put(row, 0, quantity.title, symbol=quantity.symbol)
             for column, value in enumerate(values, start=1):
                 self._put(row, column, value, right=True)
             self._put(row, 3, quantity.unit)
-        for row, (title, value, unit) in enumerate(shared, start=len(rows)):
-            self._put(row, 0, title)
+        for row, (title, symbol, value, unit) in enumerate(shared, start=len(rows)):
+            self._put(row, 0, title, symbol=symbol)
             self._put(row, 1, value, right=True)
             self._put(row, 3, unit)
             if self._table.columnSpan(row, 1) != 2:
@@ -162,13 +163,14 @@ class DerivedPanel(QWidget):
     def text_table(self) -> str:
         """All values as tab-separated text."""
         cells = [[self._table.item(row, column) for column in range(4)] for row in range(self._table.rowCount())]
-        return "\n".join("\t".join(cell.text() if cell else "" for cell in row) for row in cells)
+        return "\n".join("\t".join(map(_plain, row)) for row in cells)
 
-    def _put(self, row: int, column: int, text: str, *, right: bool = False) -> None:
+    def _put(self, row: int, column: int, text: str, *, right: bool = False, symbol: str = "") -> None:
         item = self._table.item(row, column)
         if item is None:
             item = QTableWidgetItem()
             item.setTextAlignment(_RIGHT if right else Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft)
+            item.setData(SYMBOL, symbol)
             self._table.setItem(row, column, item)
         if item.text() != text:
             item.setText(text)
@@ -178,5 +180,5 @@ class DerivedPanel(QWidget):
 _RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 
 
-def _title(quantity: Quantity) -> str:
-    return f"{quantity.title} {quantity.symbol}".rstrip()
+def _plain(item: QTableWidgetItem | None) -> str:
+    return " ".join(filter(None, (item.text(), item.data(SYMBOL)))) if item else ""

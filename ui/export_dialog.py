@@ -39,6 +39,7 @@ class ExportDialog(QDialog):
         self._variant = _combo(VARIANTS, VARIANT_TITLES, session.variant)
         self._folder = QLineEdit(folder)
         browse = QPushButton("Browse…")
+        browse.setAutoDefault(False)
         browse.clicked.connect(self._browse)
         place = QHBoxLayout()
         place.addWidget(self._folder, 1)

@@ -139,7 +139,7 @@ def tooltip(spec: FieldSpec) -> str:
 
 def limits_text(spec: FieldSpec) -> str:
     """The range of a number in words: ``5 to 200``, ``at least 0 mm``."""
-    unit = f" {spec.unit}" if spec.unit else ""
+    unit = spec.unit if spec.unit in ("", "°") else f" {spec.unit}"
     low, high = spec.minimum, spec.maximum
     if low is not None and high is not None:
         return f"{number_text(low)} to {number_text(high)}{unit}"

@@ -27,16 +27,11 @@ def view_title(key: Key) -> str:
 def view_subtitle(session: Session, key: Key) -> str:
     """How a view's result stands: its deviation, or why there is none (yet)."""
     result = session.results.get(key)
-    numbers = ""
-    if result is not None:
-        found = result.statistics
-        numbers = f"max {micrometres(found.max_um)} · mean {micrometres(found.mean_um)}"
     if key in session.failures:
         return session.failures[key].message
-    if key in session.current:
-        return numbers
-    if numbers:
-        return f"updating… (before: {numbers})"
+    if result is not None:
+        largest, mean = micrometres(result.statistics.max_um), micrometres(result.statistics.mean_um)
+        return f"max {largest} · mean {mean}" if key in session.current else f"updating… (max was {largest})"
     return "building…" if key == session.building else "waiting for the CAD kernel…"
 
 

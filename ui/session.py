@@ -34,6 +34,7 @@ class Failure:
 
     message: str
     details: str
+    cancelled: bool = False
 
 
 class Session(QObject):
@@ -162,7 +163,7 @@ class Session(QObject):
     def put_cancelled(self, design: Design, key: Key) -> None:
         """Note that the user stopped a build; an older result stays, marked as such."""
         if design == self.design:
-            self.failures[key] = Failure("Cancelled; Rebuild builds it", "")
+            self.failures[key] = Failure("Cancelled; Rebuild builds it", "", cancelled=True)
         self._settle(key)
 
     def put_building(self, key: Key | None) -> None:

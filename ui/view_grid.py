@@ -272,6 +272,7 @@ class ViewGrid(QWidget):
             shown = pane < len(self._panels)
             if shown:
                 title.set_text(self._panels[pane].title, self._panels[pane].subtitle)
+                title.fit(max(round(width) - 2 * MARGIN, 60))
                 title.move(round(pane * width) + MARGIN, MARGIN)
                 value.move(round((pane + 1) * width) - value.width() - MARGIN, self.height() - value.height() - MARGIN)
             title.setVisible(shown and not title.empty)

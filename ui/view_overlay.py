@@ -56,6 +56,15 @@ class PaneTitle(QLabel):
             self._text = (title, subtitle)
             self._compose()
 
+    def fit(self, width: int) -> None:
+        """Take the text's own size, or break its lines where there is not so much room."""
+        self.setWordWrap(False)
+        if self.sizeHint().width() <= width:
+            self.resize(self.sizeHint())
+        else:
+            self.setWordWrap(True)
+            self.resize(width, self.heightForWidth(width))
+
     @property
     def empty(self) -> bool:
         """Whether there is nothing to show."""

@@ -90,7 +90,7 @@ def test_failures_and_cancelled_jobs_are_noted_and_not_repeated(session, runner,
     first, second, *_ = runner.jobs
     runner.job_failed.emit(first, "the sections cross", "")
     runner.job_cancelled.emit(second)
-    assert session.failures[keys(runner)[0]].message == "the sections cross"
+    assert session.failures[keys(runner)[0]].message == "The sections cross"
     assert "Cancelled" in session.failures[keys(runner)[1]].message
     builds.build_missing()
     assert len(runner.requests) == 1

@@ -102,6 +102,22 @@ def test_the_colour_scale_is_shared_and_follows_what_is_shown(studio: Studio, qt
     assert bar.limit == 123.0
 
 
+def test_layers_are_switched_by_panel_menu_and_sets(studio: Studio) -> None:
+    grid, panel, menu = studio.window.area.grid, studio.window.layer_panel, studio.window.commands.layers
+    panel.box("base_cone").click()
+    assert "base_cone" in grid.visible_layers
+    action = next(action for action in menu.actions() if action.data() == "base_cone")
+    assert action.isChecked()
+    action.trigger()
+    assert "base_cone" not in grid.visible_layers and not panel.box("base_cone").isChecked()
+    panel.sets.button("Generation").click()
+    assert "tangent_plane" in grid.visible_layers and "deviation" not in grid.visible_layers
+    studio.window.area.roll_slider._slider.setValue(300)
+    assert studio.controller.presenter._roll == pytest.approx(0.3)
+    next(action for action in studio.window.commands.flanks.actions() if action.data() == "convex").trigger()
+    assert studio.controller.presenter.flank == "convex"
+
+
 def test_pointing_at_a_flank_reads_it_out(studio: Studio, qtbot) -> None:
     grid = studio.window.area.grid
     qtbot.wait(300)
@@ -186,7 +202,7 @@ def test_titles_tell_how_a_result_stands(studio: Studio) -> None:
     assert view_title(key) == "Point cloud · published"
     assert view_subtitle(session, key) == "max 54.6 µm · mean 13.7 µm"
     session.current.discard(key)
-    assert view_subtitle(session, key).startswith("updating… (before: max 54.6 µm")
+    assert view_subtitle(session, key) == "updating… (max was 54.6 µm)"
     session.put_failure(session.design, key, Failure("the sections cross", ""))
     assert view_subtitle(session, key) == "the sections cross"
 
