@@ -6,17 +6,19 @@ one mapper, with an actor in each pane.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
 from vtkmodules.vtkCommonCore import vtkLookupTable, vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
-from vtkmodules.vtkRenderingCore import vtkActor, vtkMapper, vtkPolyDataMapper
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPlane, vtkPlaneCollection, vtkPolyData
+from vtkmodules.vtkCommonMath import vtkMatrix4x4
+from vtkmodules.vtkRenderingCore import vtkActor, vtkMapper, vtkPolyDataMapper, vtkProperty
 
 from ui import colormap
 from ui.layers import Layer, Style
+from ui.section import Plane
 
 _LIFT = 160.0
 """Depth, in millionths of the range drawn, by which one step of lift comes forward."""
@@ -115,6 +117,9 @@ class ActorStore:
         self._buffers: dict[tuple[str, int], MeshBuffer] = {}
         self._actors: list[dict[str, vtkActor]] = [{} for _ in self._renderers]
         self._panes: tuple[tuple[Layer, ...], ...] = ()
+        self._places: dict[str, vtkMatrix4x4] = {}
+        self._coarse = False
+        self._plane: vtkPlane | None = None
 
     @property
     def counts(self) -> tuple[int, ...]:
@@ -144,6 +149,51 @@ class ActorStore:
         """Colours run from -limit to +limit."""
         self.table.SetTableRange(-limit, limit)
 
+    def move(self, rotations: Mapping[str, np.ndarray]) -> None:
+        """Turn bodies from where their layers put them, by matrices (3, 3); no mesh is touched."""
+        for body, rotation in rotations.items():
+            matrix = self._places.get(body)
+            if matrix is None:
+                matrix = self._places[body] = vtkMatrix4x4()
+                self._each(lambda actor, layer: self._place(actor, layer))
+            for row in range(3):
+                for column in range(3):
+                    matrix.SetElement(row, column, float(rotation[row, column]))
+
+    def set_coarse(self, coarse: bool) -> None:
+        """Show the coarse level of what has two, or the fine one."""
+        if coarse != self._coarse:
+            self._coarse = coarse
+            self._each(lambda actor, layer: self._place(actor, layer))
+
+    def cut(self, plane: Plane | None) -> None:
+        """Take away every body beyond a plane, or show them whole."""
+        if plane is None:
+            self._plane = None
+        else:
+            self._plane = self._plane or vtkPlane()
+            self._plane.SetOrigin(*plane.point)
+            self._plane.SetNormal(*(-plane.normal))
+        self._each(lambda actor, layer: self._place(actor, layer))
+
+    def _each(self, change: Callable[[vtkActor, Layer], None]) -> None:
+        for pane, layers in enumerate(self._panes):
+            for layer in layers:
+                change(self._actors[pane][layer.key], layer)
+
+    def _place(self, actor: vtkActor, layer: Layer) -> None:
+        actor.SetVisibility(layer.level != ("fine" if self._coarse else "coarse"))
+        if not layer.body:
+            return
+        actor.SetUserMatrix(self._places.get(layer.body))
+        mapper = actor.GetMapper()
+        if self._plane is None:
+            mapper.RemoveAllClippingPlanes()
+        elif mapper.GetClippingPlanes() is None or not mapper.GetClippingPlanes().IsItemPresent(self._plane):
+            planes = vtkPlaneCollection()
+            planes.AddItem(self._plane)
+            mapper.SetClippingPlanes(planes)
+
     def restyle(self, dark: bool, pixel_ratio: float) -> None:
         """Take the theme's colours and the screen's scale."""
         self.dark, self.pixel_ratio = dark, pixel_ratio
@@ -165,6 +215,7 @@ class ActorStore:
         if actor.GetMapper() is not buffer.mapper:
             actor.SetMapper(buffer.mapper)
         self._style(actor, layer)
+        self._place(actor, layer)
 
     def _drop_actors(self, pane: int, keep: set[str]) -> None:
         actors = self._actors[pane]
@@ -173,6 +224,11 @@ class ActorStore:
 
     def _style(self, actor: vtkActor, layer: Layer) -> None:
         apply_style(actor.GetProperty(), layer, self.dark, self.pixel_ratio)
+        if layer.style.inside is not None:
+            inside = actor.GetBackfaceProperty() or vtkProperty()
+            inside.SetLighting(False)
+            inside.SetColor(*_rgb(layer.style.inside.dark if self.dark else layer.style.inside.light))
+            actor.SetBackfaceProperty(inside)
         actor.SetForceTranslucent(layer.style.opacity < 1)
         actor.SetForceOpaque(layer.style.opacity >= 1)
 
@@ -181,7 +237,7 @@ def apply_style(look: Any, layer: Layer, dark: bool, pixel_ratio: float) -> None
     """Set a VTK property from a layer's style."""
     style: Style = layer.style
     ink = style.ink.dark if dark else style.ink.light
-    look.SetColor(*(int(ink[i : i + 2], 16) / 255 for i in (1, 3, 5)))
+    look.SetColor(*_rgb(ink))
     look.SetOpacity(style.opacity)
     lit = layer.kind == "surface" and not style.flat
     look.SetLighting(lit)
@@ -203,3 +259,7 @@ def _same(before: Layer, after: Layer) -> bool:
     if after.kind == "points":
         return len(before.points) == len(after.points)
     return before.cells is after.cells or np.array_equal(before.cells, after.cells)
+
+
+def _rgb(color: str) -> tuple[float, ...]:
+    return tuple(int(color[i : i + 2], 16) / 255 for i in (1, 3, 5))

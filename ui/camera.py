@@ -162,7 +162,7 @@ def view(name: str, focus: Focus, aspect: float, current: Camera | None = None) 
     parallel = current is not None and current.parallel
     if name == "fit" and current is not None:
         return _filling(current, focus.points, aspect, _FILL_ALL)
-    if name in ("tooth", "concave", "convex", "flank"):
+    if name in ("tooth", "concave", "convex", "flank") and focus.flanks:
         back = _tooth_direction("concave" if name == "flank" else name, focus)
         aimed = Camera(focus.tooth_centre, back, _apex_up(back), focus.tooth_radius, parallel)
         return _filling(aimed, focus.tooth_points, aspect, _FILL_TOOTH)

@@ -28,6 +28,7 @@ PANES = 3
 _TURN_PER_HEIGHT = np.pi * 0.9
 _WHEEL_STEP, _PIXEL_STEP = 0.0012, 0.004
 _STILL_AFTER_MS = 140
+_CLICK_REACH = 4.0
 _SOFTWARE = ("llvmpipe", "softpipe", "swrast", "software", "swiftshader", "basic render")
 _LIGHTS = (((-0.5, 0.7, 0.9), 0.46), ((0.9, 0.2, 0.7), 0.24), ((-0.6, -0.7, 0.7), 0.14), ((0.0, 0.0, 1.0), 0.40))
 
@@ -41,14 +42,18 @@ class Viewport(QtInteractor):
         By the mouse; the frame is already asked for.
     pointer_moved(object), pointer_left()
         QPointF, without a button held.
-    double_clicked(object)
+    clicked(object), double_clicked(object)
         QPointF.
+    drawing(bool)
+        A frame is about to be drawn, in a hurry because another will follow or not.
     """
 
     camera_changed = Signal()
     pointer_moved = Signal(object)
     pointer_left = Signal()
+    clicked = Signal(object)
     double_clicked = Signal(object)
+    drawing = Signal(bool)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent, shape=(1, PANES), border=False, multi_samples=0, auto_update=False)
@@ -62,6 +67,7 @@ class Viewport(QtInteractor):
         self.software: bool | None = None
         self.pane_count = PANES
         self._grabbed: tuple[Qt.MouseButton, QPointF] | None = None
+        self._pressed_at: QPointF | None = None
         self._moving = False
         self._still = QTimer(self, singleShot=True, interval=_STILL_AFTER_MS)
         self._still.timeout.connect(self._on_still)
@@ -150,6 +156,7 @@ class Viewport(QtInteractor):
         camera.SetViewUp(*look.up)
         camera.SetClippingRange(*look.clipping(self.bounds_centre, self.bounds_radius))
         hurried = bool(self.software) and self._moving
+        self.drawing.emit(hurried)
         for renderer in self.renderers:
             renderer.SetUseFXAA(bool(self.software) and not hurried)
             renderer.SetUseDepthPeeling(not hurried)
@@ -169,6 +176,7 @@ class Viewport(QtInteractor):
     def mousePressEvent(self, event: QMouseEvent) -> None:
         if self._grabbed is None:
             self._grabbed = (event.button(), event.position())
+            self._pressed_at = event.position() if event.button() == Qt.MouseButton.LeftButton else None
         self.pointer_left.emit()
         event.accept()
 
@@ -177,6 +185,8 @@ class Viewport(QtInteractor):
             self._grabbed = None
             if self._moving:
                 self._still.start(0)
+            if self._pressed_at is not None:
+                self.clicked.emit(event.position())
         event.accept()
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
@@ -191,6 +201,8 @@ class Viewport(QtInteractor):
             return
         button, before = self._grabbed
         self._grabbed = (button, event.position())
+        if self._pressed_at is not None and (event.position() - self._pressed_at).manhattanLength() > _CLICK_REACH:
+            self._pressed_at = None
         half = max(self.height(), 1) / 2
         dx, dy = (event.position().x() - before.x()) / half, (before.y() - event.position().y()) / half
         modifiers = event.modifiers()

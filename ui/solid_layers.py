@@ -1,0 +1,130 @@
+"""Layers of whole gears for the views, alone or as a pair in mesh; plain arrays, no renderer."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gearstudio.theory.cones import PairGeometry
+from gearstudio.theory.pair import pinion_placement, wheel_placement
+from ui import layers as look
+from ui.layers import SOLID, Ink, Layer, Style
+from ui.meshes import Mesh, placed
+from ui.section import Plane, filled, outline
+from ui.solid_scene import GearMesh
+
+Floats = NDArray[np.float64]
+Level = Literal["fine", "coarse"]
+
+
+@dataclass(frozen=True)
+class Paint:
+    """Colours of a member: its machined faces, its flanks, what is cut through."""
+
+    body: Ink
+    flank: Ink
+    cut: Ink
+
+
+PAINTS = {
+    "pinion": Paint(Ink("#c2b190", "#b39f7a"), Ink("#d3c19c", "#c6b086"), Ink("#dcb876", "#c2994e")),
+    "wheel": Paint(Ink("#aab6c4", "#8f9dae"), Ink("#bac7d6", "#a0afc2"), Ink("#9db6d6", "#6f8db4")),
+}
+_MAP = Ink("#e9e9e9", "#d9d9d9")
+_EDGE = Ink("#2f3843", "#0f1318")
+
+
+@dataclass(frozen=True)
+class SolidOptions:
+    """What of a solid is shown."""
+
+    edges: bool = True
+    deviation: bool = False
+
+
+@dataclass(frozen=True, eq=False)
+class PlacedGear:
+    """A gear's fine and coarse mesh in the frame of the view, before anything turns."""
+
+    member: str
+    fine: GearMesh
+    coarse: GearMesh
+
+    @property
+    def meshes(self) -> tuple[Mesh, ...]:
+        """The fine ones."""
+        return self.fine.flanks, self.fine.teeth, self.fine.body
+
+
+def base_placement(pair: PairGeometry, member: str) -> Floats:
+    """Rotation that puts a member into the world frame at turn 0 of the pinion, shape (3, 3) (theory 8)."""
+    return pinion_placement(pair) if member == "pinion" else wheel_placement(pair)
+
+
+def motion(pair: PairGeometry, member: str, pinion_turn: float) -> Floats:
+    """Rotation of a placed member in the world frame when the pinion has turned, shape (3, 3)."""
+    placement = pinion_placement if member == "pinion" else wheel_placement
+    return np.asarray(placement(pair, pinion_turn) @ placement(pair).T)
+
+
+def put(gear: PlacedGear, matrix: Floats) -> PlacedGear:
+    """A gear in another frame."""
+    return replace(gear, fine=_moved(gear.fine, matrix), coarse=_moved(gear.coarse, matrix))
+
+
+def _moved(mesh: GearMesh, matrix: Floats) -> GearMesh:
+    flanks, teeth, body = (placed(part, matrix) for part in (mesh.flanks, mesh.teeth, mesh.body))
+    return replace(mesh, flanks=flanks, teeth=teeth, body=body, edges=mesh.edges @ matrix.T)
+
+
+def gear_layers(gear: PlacedGear, options: SolidOptions) -> tuple[Layer, ...]:
+    """Both levels of a gear."""
+    made: list[Layer] = []
+    levels: tuple[tuple[Level, GearMesh], ...] = (("fine", gear.fine), ("coarse", gear.coarse))
+    for level, mesh in levels:
+        made += _surfaces(gear.member, level, mesh, options)
+        if options.edges:
+            style = Style(_EDGE, width=1.2 if level == "fine" else 1.0, lift=2)
+            name = f"{gear.member} edges {level}"
+            made.append(
+                Layer(SOLID, name, "lines", mesh.edges, style, mesh.segments, body=gear.member, level=level)
+            )
+    return tuple(made)
+
+
+def _surfaces(member: str, level: Level, mesh: GearMesh, options: SolidOptions) -> list[Layer]:
+    paint = PAINTS[member]
+    plain = Style(paint.body, gloss=0.22, inside=paint.cut)
+    flank = Style(_MAP if options.deviation else paint.flank, gloss=0.06 if options.deviation else 0.35, inside=paint.cut)
+    made = []
+    for role, part, style in (("flanks", mesh.flanks, flank), ("teeth", mesh.teeth, plain), ("body", mesh.body, plain)):
+        scalars = mesh.deviation_um if role == "flanks" and options.deviation else None
+        name = f"{member} {role} {level}"
+        made.append(
+            Layer(SOLID, name, "surface", part.points, style, part.cells, part.normals, scalars, member, level)
+        )
+    return made
+
+
+def cut_layers(gears: Sequence[PlacedGear], plane: Plane) -> tuple[Layer, ...]:
+    """The faces that a section plane lays open, while nothing turns, with their outlines."""
+    made = []
+    for gear in gears:
+        segments = outline(gear.meshes, plane)
+        if not len(segments):
+            continue
+        face = filled(segments, plane)
+        style = Style(PAINTS[gear.member].cut, flat=True, lift=0)
+        made.append(
+            Layer(SOLID, f"{gear.member} cut", "surface", face.points, style, face.cells, face.normals, level="fine")
+        )
+        lines = np.arange(2 * len(segments)).reshape(-1, 2)
+        edge = Style(look.INK, width=1.6, lift=2)
+        made.append(
+            Layer(SOLID, f"{gear.member} cut edge", "lines", segments.reshape(-1, 3), edge, lines, level="fine")
+        )
+    return tuple(made)
