@@ -7,10 +7,14 @@ import json
 import statistics
 import subprocess
 import sys
+import tomllib
 from collections.abc import Iterator
+from importlib.metadata import packages_distributions, version
 from pathlib import Path
 
 import pytest
+from packaging.requirements import Requirement
+from packaging.utils import canonicalize_name
 
 ROOT = Path(__file__).resolve().parent.parent
 SOURCES = sorted([ROOT / "main.py", *ROOT.glob("gearstudio/**/*.py"), *ROOT.glob("ui/**/*.py")])
@@ -184,19 +188,14 @@ def test_requirements_are_pinned() -> None:
 
 def test_project_and_pins_agree() -> None:
     """What the packaged project asks for is what the pinned environment has."""
-    import tomllib
-
-    from packaging.requirements import Requirement
-    from packaging.utils import canonicalize_name
-
     project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
     wanted = [*project["project"]["dependencies"], *project["dependency-groups"]["dev"]]
     pinned = {}
     for name in ("requirements.txt", "requirements-dev.txt"):
         for line in (ROOT / name).read_text(encoding="utf-8").splitlines():
             if "==" in line:
-                one = Requirement(line)
-                pinned[canonicalize_name(one.name)] = next(iter(one.specifier)).version
+                pin = Requirement(line)
+                pinned[canonicalize_name(pin.name)] = next(iter(pin.specifier)).version
     for text in wanted:
         requirement = Requirement(text)
         version = pinned.get(canonicalize_name(requirement.name))
@@ -204,12 +203,18 @@ def test_project_and_pins_agree() -> None:
         assert requirement.specifier.contains(version), f"{text}, but {version} is pinned"
 
 
+def test_every_import_is_asked_for() -> None:
+    """What the program imports is named in the project, not merely pulled in by something else."""
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+    asked = {canonicalize_name(Requirement(text).name) for text in project["dependencies"]}
+    providers = packages_distributions()
+    tops = {name.split(".")[0] for path in SOURCES for name in imported_modules(path)}
+    foreign = tops - sys.stdlib_module_names - {"main", "ui", "gearstudio"}
+    assert {top for top in foreign if not asked & {canonicalize_name(d) for d in providers.get(top, [])}} == set()
+
+
 def test_every_pinned_package_is_installed_as_pinned() -> None:
     """The tests run on what the pins say, not on what happens to be there."""
-    from importlib.metadata import version
-
-    from packaging.requirements import Requirement
-
     for line in (ROOT / "requirements.txt").read_text(encoding="utf-8").splitlines():
         if "==" in line:
             requirement = Requirement(line)
