@@ -103,9 +103,9 @@ class Revolved:
         """How far points (n, 3) lie off the surface [mm], shape (n,)."""
         radius, height = np.hypot(points[:, 0], points[:, 1]), points[:, 2]
         if self.sphere:
-            return np.abs(np.hypot(radius, height) - np.hypot(*self.first))
+            return np.asarray(np.abs(np.hypot(radius, height) - np.hypot(*self.first)))
         along = np.subtract(self.last, self.first) / np.hypot(*np.subtract(self.last, self.first))
-        return np.abs((radius - self.first[0]) * along[1] - (height - self.first[1]) * along[0])
+        return np.asarray(np.abs((radius - self.first[0]) * along[1] - (height - self.first[1]) * along[0]))
 
     def scale(self, points: Floats) -> Floats:
         """Length on the surface of a unit of u and of v at points (n, 3), shape (n, 2)."""

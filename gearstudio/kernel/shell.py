@@ -26,9 +26,9 @@ Point = tuple[float, float]
 
 _FORWARD, _REVERSED = TopAbs_Orientation.TopAbs_FORWARD, TopAbs_Orientation.TopAbs_REVERSED
 _HERE = TopLoc_Location()
-_PLACES = np.linspace(0.0, 1.0, 61)
 _TRACE_DEGREE = 5
-_TRACE_NODES_A_SPAN = 6
+_TRACE_NODES_A_SPAN = (6, 12, 24)
+_TRACE_SHARE = 1e-8
 _MARGIN = 1.5
 
 
@@ -62,7 +62,7 @@ def assembled(surfaces: Sequence[NurbsSurface], teeth: int, outline: Floats, sph
         ``tolerance`` is the largest gap between neighbours [mm].
     """
     maker = _Maker()
-    pitch = _Pitch.of(surfaces)
+    pitch = _Pitch.of(surfaces, TURN / teeth)
     teeth_made = _make_teeth(maker, pitch, teeth)
     body = _make_body(maker, pitch, teeth_made, outline, spherical_ends, TURN / teeth)
     return GearShell(maker.solid(), tuple(tuple(t.faces) for t in teeth_made), tuple(body), maker.gap)
@@ -136,20 +136,20 @@ class _Pitch:
     ends: tuple[tuple[Geom_Curve, ...], tuple[Geom_Curve, ...]]
 
     @staticmethod
-    def of(records: Sequence[NurbsSurface]) -> _Pitch:
+    def of(records: Sequence[NurbsSurface], step: float) -> _Pitch:
         seams = [to_curve(r.poles[0], r.knots_v, r.degree_v) for r in records]
         ends = [[to_curve(r.poles[:, j], r.knots_u, r.degree_u) for r in records] for j in (0, -1)]
         return _Pitch(
             tuple(records),
             tuple(map(to_surface, records)),
             tuple(seams),
-            _seam_gaps(records),
+            _seam_gaps(records, step),
             (tuple(ends[0]), tuple(ends[1])),
         )
 
     def corner(self, j: int, end: int) -> Floats:
         """Where seam j meets the toe or heel."""
-        return self.records[j].poles[0, -end]
+        return np.asarray(self.records[j].poles[0, -end])
 
     def end_points(self, j: int, end: int, places: Floats) -> Floats:
         """Points of face j's edge at the toe or heel, shape (n, 3)."""
@@ -169,21 +169,22 @@ class _ToothMade:
     faces: list[TopoDS_Face] = field(default_factory=list)
 
 
-def _seam_gaps(records: Sequence[NurbsSurface]) -> tuple[float, ...]:
-    """Largest distance between neighbours at each seam but the first, which is taken about the axis."""
+def _seam_gaps(records: Sequence[NurbsSurface], step: float) -> tuple[float, ...]:
+    """Largest distance between neighbours at each seam; the first face meets the last of the tooth before."""
     gaps = []
-    for record, previous in zip(records, [records[-1], *records[:-1]], strict=True):
-        here, there = record.grid([0.0], _PLACES)[0], previous.grid([1.0], _PLACES)[0]
-        if previous is records[-1]:
-            gap = np.linalg.norm(_cylindrical(here) - _cylindrical(there), axis=-1)
-        else:
-            gap = np.linalg.norm(here - there, axis=-1)
-        gaps.append(float(gap.max()))
+    for j, record in enumerate(records):
+        previous = records[j - 1]
+        places = np.union1d(_trace_nodes(record.knots_v), _trace_nodes(previous.knots_v))
+        there = previous.grid([1.0], places)[0]
+        if j == 0:
+            there = there @ _rotation(-step).T
+        gaps.append(float(np.linalg.norm(record.grid([0.0], places)[0] - there, axis=-1).max()))
     return tuple(gaps)
 
 
-def _cylindrical(points: Floats) -> Floats:
-    return np.stack([np.hypot(points[:, 0], points[:, 1]), points[:, 2]], axis=-1)
+def _rotation(angle: float) -> Floats:
+    c, s = np.cos(angle), np.sin(angle)
+    return np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
 
 
 def _make_teeth(maker: _Maker, pitch: _Pitch, teeth: int) -> list[_ToothMade]:
@@ -347,19 +348,24 @@ def _trace(pitch: _Pitch, revolved: Revolved, j: int, end: int) -> tuple[Geom2d_
     def on_surface(points: Floats) -> Floats:
         return revolved.parameters(np.vstack([corner, points]))[1:]
 
-    nodes = _trace_nodes(pitch.records[j].knots_u)
-    spline = make_interp_spline(nodes, on_surface(pitch.end_points(j, end, nodes)), k=_TRACE_DEGREE)
-    trace = Geom2d_BSplineCurve(point_row_2d(spline.c), *knots_and_multiplicities(spline.t), _TRACE_DEGREE)
-    places = np.linspace(0.0, 1.0, 6 * len(nodes) + 1)
-    points = pitch.end_points(j, end, places)
-    off = (spline(places) - on_surface(points)) * revolved.scale(points)
-    return trace, float(np.max(revolved.distance(points) + np.hypot(*off.T)))
+    knots = pitch.records[j].knots_u
+    for nodes_a_span in _TRACE_NODES_A_SPAN:
+        nodes = _trace_nodes(knots, nodes_a_span)
+        spline = make_interp_spline(nodes, on_surface(pitch.end_points(j, end, nodes)), k=_TRACE_DEGREE)
+        trace = Geom2d_BSplineCurve(point_row_2d(spline.c), *knots_and_multiplicities(spline.t), _TRACE_DEGREE)
+        points = pitch.end_points(j, end, np.linspace(0.0, 1.0, 6 * len(nodes) + 1))
+        off = (spline(np.linspace(0.0, 1.0, len(points))) - on_surface(points)) * revolved.scale(points)
+        along = float(np.max(np.hypot(*off.T)))
+        gap = float(np.max(revolved.distance(points) + np.hypot(*off.T)))
+        if along <= _TRACE_SHARE * np.abs(points).max():
+            break
+    return trace, gap
 
 
-def _trace_nodes(knots: Floats) -> Floats:
+def _trace_nodes(knots: Floats, nodes_a_span: int = _TRACE_NODES_A_SPAN[0]) -> Floats:
     """Several places in every span of the edge's own knots, where it is less smooth."""
     spans = np.unique(knots)
-    inner = np.linspace(0.0, 1.0, _TRACE_NODES_A_SPAN, endpoint=False)
+    inner = np.linspace(0.0, 1.0, nodes_a_span, endpoint=False)
     return np.append((spans[:-1, None] + np.diff(spans)[:, None] * inner).ravel(), spans[-1])
 
 

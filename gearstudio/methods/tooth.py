@@ -1,38 +1,43 @@
 """All faces of one tooth and its space: the flanks as a method makes them, and their neighbours grafted on.
 
 Every face is a surface over [0, 1]²: its first parameter runs along the profile with growing azimuth, the
-second from toe to heel, so that its natural normal points out of the metal. Neighbours meet in the edges
-of the flanks as they are, so the tooth is closed whatever a flank's deviation is.
+second from toe to heel, so that its natural normal points out of the metal. The lengthwise space of all other
+faces holds the flanks' own, so that neighbours share their edge exactly, whatever a flank's deviation is.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
 
 from gearstudio.catalogue import Variant
 from gearstudio.errors import GeometryError
-from gearstudio.kernel.surfaces import reconstructed
 from gearstudio.methods import Construction, Target, method
-from gearstudio.methods.base import Refinement, between
+from gearstudio.methods.base import SAFETY
+from gearstudio.methods.grafts import (
+    Edge,
+    across_angles,
+    blended,
+    edge_of,
+    free_edge,
+    lower_angles,
+    profile_space,
+    reversed_across,
+)
+from gearstudio.methods.space import Points, Space, fitted, space_v
+from gearstudio.methods.trimming import trimmed
 from gearstudio.nurbs import NurbsSurface
 from gearstudio.theory.cones import ConeLimit, MemberGeometry
 from gearstudio.theory.flank import InvoluteFlank
 from gearstudio.theory.profile import Segment, ToothProfile, tooth_profile
 
 Floats = NDArray[np.float64]
-Edge = Callable[[Floats], Floats]
-"""A lengthwise edge: points (n, 3) at places (n,) from toe to heel."""
 
-_DEGREE = 5
-_FIRST_GRID = (9, 9)
-_SMOOTH_SHARE = 0.1
-_END_ROUNDS = 8
-_STEP = 1e-5
-_FARTHEST_CONTINUATION = 0.05
+_EDGE_SHARE = 0.1
+_FOOT_SAMPLES = 33
+_LEAST_FILLET = 0.3
 
 
 @dataclass(frozen=True)
@@ -60,170 +65,107 @@ def build_tooth(member: MemberGeometry, method_id: str, variant: Variant, target
     Raises
     ------
     GeometryError
-        There is no tooth space, or a flank cannot be brought to the ends of the tooth.
+        There is no tooth space, or a flank cannot be cut off at the limits of the tooth.
     ModellingError
         The method could not make a flank.
     """
     profile = tooth_profile(member)
-    foot = ConeLimit(profile.fillet.foot_angle, 0.0, member.pitch_angle)
-    if profile.fillet.on_meridian:
-        foot = member.base_limit
-    flanks = {side: InvoluteFlank(member, side, foot) for side in (-1, 1)}
+    flanks = {side: profile_flank(profile, side) for side in (-1, 1)}
     built = {side: method(method_id).build(flank, variant, target) for side, flank in flanks.items()}
-    goal = _SMOOTH_SHARE * target.tolerance
-    surfaces = {side: _to_the_ends(flanks[side], built[side].surface, goal) for side in (-1, 1)}
-    faces = _grafted(member, profile, surfaces, goal)
+    goal = _EDGE_SHARE * target.tolerance
+    surfaces = {side: trimmed(flanks[side], built[side].surface, goal) for side in (-1, 1)}
+    for side in (-1, 1):
+        _check_foot(profile, surfaces[side])
+    faces = _Grafting(profile, surfaces, SAFETY * target.tolerance).faces()
     return Tooth(member, profile, faces, {flanks[side].name: built[side] for side in (-1, 1)})
 
 
-def _grafted(
-    member: MemberGeometry, profile: ToothProfile, surfaces: dict[int, NurbsSurface], goal: float
-) -> tuple[ToothFace, ...]:
-    foots = {side: _edge_of(surfaces[side], 0.0) for side in (-1, 1)}
-    tips = {side: _edge_of(surfaces[side], 1.0) for side in (-1, 1)}
-    names = profile.segments
-    below = [name for name in names if name in ("fillet", "meridian")]
-
-    def lower(side: int) -> list[ToothFace]:
-        """Faces between root and flank, from the root up."""
-        made = []
-        for name in below:
-            exact = _theory(member, profile, name, side)
-            top = foots[side] if name == below[-1] else None
-            made.append(ToothFace(name, side, _fitted(_blended(member, exact, None, top), goal)))
-        return made
-
-    def ascending(faces: Sequence[ToothFace]) -> list[ToothFace]:
-        return [replace(face, surface=_mirrored(face.surface)) for face in reversed(faces)]
-
-    tip = _blended(member, _across(member, profile, "tip"), tips[-1], tips[1])
-    faces = [
-        *lower(-1),
-        ToothFace("flank", -1, surfaces[-1]),
-        ToothFace("tip", 0, _fitted(tip, goal)),
-        *ascending([*lower(1), ToothFace("flank", 1, surfaces[1])]),
-    ]
-    if "root" in names:
-        faces.append(ToothFace("root", 0, _fitted(_across(member, profile, "root"), goal)))
-    return tuple(faces)
+def profile_flank(profile: ToothProfile, side: int) -> InvoluteFlank:
+    """The flank on one side, from the foot of the fillet, or the base cone, to the tip."""
+    member = profile.member
+    foot = ConeLimit(profile.fillet.foot_angle, 0.0, member.pitch_angle)
+    return InvoluteFlank(member, side, member.base_limit if profile.fillet.on_meridian else foot)
 
 
-def _theory(member: MemberGeometry, profile: ToothProfile, name: Segment, side: int) -> Callable[..., Floats]:
-    """Exact points of a segment on one side, from the root's end (x = 0) up, at places v."""
-
-    def points(x: Floats, v: Floats) -> Floats:
-        x, v = np.broadcast_arrays(x, v)
-        rho_u = member.inner_cone_distance + v * member.face_width
-        delta, phi = profile.angles(name, x, member.limit_angle(member.tip_limit, rho_u))
-        return _placed(member, delta, side * phi, rho_u)
-
-    return points
-
-
-def _across(member: MemberGeometry, profile: ToothProfile, name: Segment) -> Callable[..., Floats]:
-    """Exact points of the tip (about azimuth 0) or of the root (about half a pitch), with growing azimuth."""
-    middle = 0.0 if name == "tip" else member.pitch / 2
-
-    def points(x: Floats, v: Floats) -> Floats:
-        x, v = np.broadcast_arrays(x, v)
-        rho_u = member.inner_cone_distance + v * member.face_width
-        end = np.full_like(x, 0.0 if name == "tip" else 1.0)
-        delta, phi = profile.angles(name, end, member.limit_angle(member.tip_limit, rho_u))
-        half = np.abs(phi - middle)
-        return _placed(member, delta, middle + (2 * x - 1) * half, rho_u)
-
-    return points
-
-
-def _placed(member: MemberGeometry, delta: Floats, phi: Floats, rho_u: Floats) -> Floats:
-    rho = member.cone_distance(rho_u, delta)
-    azimuth, radius = phi + member.lengthwise.azimuth(rho), rho * np.sin(delta)
-    return np.stack([radius * np.cos(azimuth), radius * np.sin(azimuth), rho * np.cos(delta)], axis=-1)
-
-
-def _blended(
-    member: MemberGeometry, exact: Callable[..., Floats], first: Edge | None, last: Edge | None
-) -> Callable[..., Floats]:
-    """The exact face, moved so that it meets given edges at x = 0 and x = 1."""
-
-    def points(x: Floats, v: Floats) -> Floats:
-        x, v = np.broadcast_arrays(x, v)
-        places = v[0]
-        ends = [places if edge is None else _place(member, edge(places)) for edge in (first, last)]
-        moved = exact(x, (1 - x) * ends[0] + x * ends[1])
-        for at, edge, weight in ((0.0, first, 1 - x), (1.0, last, x)):
-            if edge is not None:
-                gap = edge(places) - exact(np.full_like(places, at), ends[int(at)])
-                moved = moved + weight[..., None] * gap
-        return np.asarray(moved)
-
-    return points
-
-
-def _place(member: MemberGeometry, points: Floats) -> Floats:
-    """Where points lie between toe (0) and heel (1)."""
-    radius = np.hypot(points[..., 0], points[..., 1])
-    rho, delta = np.hypot(radius, points[..., 2]), np.arctan2(radius, points[..., 2])
-    return np.asarray((member.end_distance(rho, delta) - member.inner_cone_distance) / member.face_width)
-
-
-def _edge_of(surface: NurbsSurface, u: float) -> Edge:
-    return lambda places: surface.grid(np.array([u]), places)[0]
-
-
-def _fitted(points: Callable[..., Floats], goal: float) -> NurbsSurface:
-    """A B-spline through points(x, v) that keeps to them within a goal [mm]."""
-
-    def attempt(counts: tuple[int, ...]) -> tuple[Construction, tuple[float, ...]]:
-        x, v = (np.linspace(0.0, 1.0, n) for n in counts)
-        surface = reconstructed(x, v, points(x[:, None], v[None, :]), _DEGREE)
-
-        def gap(x: Floats, v: Floats) -> float:
-            return float(np.linalg.norm(surface.grid(x, v) - points(x[:, None], v[None, :]), axis=-1).max())
-
-        return Construction(surface), (gap(between(x), v), gap(x, between(v)))
-
-    return Refinement("tooth", goal, (_DEGREE + 1, _DEGREE + 1)).run(_FIRST_GRID, attempt).surface
-
-
-def _mirrored(surface: NurbsSurface) -> NurbsSurface:
-    """The same surface with its first parameter reversed."""
-    knots = np.asarray((surface.knots_u[0] + surface.knots_u[-1] - surface.knots_u)[::-1])
-    weights = None if surface.weights is None else surface.weights[::-1]
-    return replace(surface, poles=surface.poles[::-1], knots_u=knots, weights=weights)
-
-
-def _to_the_ends(flank: InvoluteFlank, surface: NurbsSurface, goal: float) -> NurbsSurface:
-    """The surface, shortened or continued a little so that it ends on the end surfaces of the tooth.
-
-    Raises
-    ------
-    GeometryError
-        It would have to be continued too far.
-    """
-    member, edge = flank.member, np.linspace(0.0, 1.0, 33)
-    border = surface.grid(edge, np.array([0.0, 1.0]))
-    miss = np.abs(_place(member, border) - np.array([0.0, 1.0])).max() * member.face_width
-    if miss <= goal:
-        return surface
-
-    def trimmed(x: Floats, v: Floats) -> Floats:
-        x, v = np.broadcast_arrays(x, v)
-        toe, heel = (_parameter_at(member, surface, x[:, 0], end) for end in (0.0, 1.0))
-        return surface.points(x, toe[:, None] + v * (heel - toe)[:, None])
-
-    return _fitted(trimmed, goal)
-
-
-def _parameter_at(member: MemberGeometry, surface: NurbsSurface, u: Floats, end: float) -> Floats:
-    """v at which the surface's lines u reach the toe (0) or the heel (1)."""
-    v = np.full_like(u, end)
-    for _ in range(_END_ROUNDS):
-        ahead = _place(member, surface.points(u, v + _STEP))
-        here = _place(member, surface.points(u, v))
-        v = v - (here - end) * _STEP / (ahead - here)
-    if not np.all(np.abs(v - end) < _FARTHEST_CONTINUATION):
+def _check_foot(profile: ToothProfile, surface: NurbsSurface) -> None:
+    """Refuse a flank whose lower edge leaves no room for the fillet."""
+    member = profile.member
+    foot = _polar_angles(surface.grid([0.0], np.linspace(0.0, 1.0, _FOOT_SAMPLES))[0])
+    if np.min(foot) - member.root_angle < _LEAST_FILLET * (profile.fillet.foot_angle - member.root_angle):
         raise GeometryError(
-            f"the {member.name} flank ends too far from the {'heel' if end else 'toe'} to be brought there"
+            f"a {member.name} flank reaches into the root; the variant is too inaccurate for this design "
+            "to make a tooth of"
         )
-    return v
+
+
+def _polar_angles(points: Floats) -> Floats:
+    return np.arctan2(np.hypot(points[..., 0], points[..., 1]), points[..., 2])
+
+
+@dataclass
+class _Grafting:
+    """Fits the faces beside the flanks; ``v`` is their common lengthwise space, which grows as a face asks."""
+
+    profile: ToothProfile
+    flanks: dict[int, NurbsSurface]
+    goal: float
+    made: dict[tuple[str, int], NurbsSurface] = field(default_factory=dict)
+
+    def faces(self) -> tuple[ToothFace, ...]:
+        below: list[Segment] = [name for name in self.profile.segments if name in ("fillet", "meridian")]
+        self._fit_in_one_space(below)
+
+        def face(name: Segment, side: int) -> ToothFace:
+            surface = self.flanks[side] if name == "flank" else self.made[name, side]
+            return ToothFace(name, side, reversed_across(surface) if side > 0 else surface)
+
+        rising: list[Segment] = [*below, "flank"]
+        faces = [face(name, -1) for name in rising] + [face("tip", 0)] + [face(name, 1) for name in reversed(rising)]
+        return (*faces, face("root", 0)) if "root" in self.profile.segments else tuple(faces)
+
+    def _fit_in_one_space(self, below: list[Segment]) -> None:
+        """A face that needs a larger space makes the others, whose free edges must be the same, be fitted again."""
+        space = space_v(self.flanks[-1]).joined(space_v(self.flanks[1]))
+        while True:
+            first = space
+            for side in (-1, 1):
+                for name in below:
+                    space = self._fit(name, side, self._lower(name, side, below[-1]), space)
+            space = self._fit("tip", 0, self._tip(), space)
+            if "root" in self.profile.segments:
+                space = self._fit("root", 0, self._root(), space)
+            if len(space.knots) == len(first.knots):
+                return
+
+    def _fit(self, name: Segment, side: int, points: Points, space: Space) -> Space:
+        what = f"{self.profile.member.name} {name}"
+        surface = fitted(what, profile_space(), space, points, self.goal)
+        self.made[name, side] = surface
+        return space_v(surface)
+
+    def _lower(self, name: Segment, side: int, highest: Segment) -> Points:
+        def top(y: Floats) -> Edge:
+            return self._edge(self.flanks[side], 0.0, y) if name == highest else self._free(y)
+
+        return blended(self.profile.member, lower_angles(self.profile, name, side), self._free, top)
+
+    def _tip(self) -> Points:
+        edges = [lambda y, side=side: self._edge(self.flanks[side], 1.0, y) for side in (-1, 1)]
+        return blended(self.profile.member, across_angles(self.profile, "tip"), *edges)
+
+    def _root(self) -> Points:
+        member = self.profile.member
+        first = self.made["fillet", 1]
+        last = self.made["fillet", -1]
+        return blended(
+            member,
+            across_angles(self.profile, "root"),
+            lambda y: self._edge(first, 0.0, y),
+            lambda y: self._edge(last, 0.0, y, member.pitch),
+        )
+
+    def _free(self, y: Floats) -> Edge:
+        return free_edge(self.profile.member, y)
+
+    def _edge(self, surface: NurbsSurface, u: float, y: Floats, turned: float = 0.0) -> Edge:
+        return edge_of(self.profile.member, surface, u, y, turned)

@@ -172,7 +172,7 @@ def _meet_back_face(
 def _front_cone_at(member: MemberGeometry, root: tuple[float, float], front: float) -> tuple[float, float]:
     """The outline's last point: on the front cone at the height of the web's front face."""
     slack = 1e-3 * member.dedendum
-    lowest, highest = root[1] + slack, _deepest(member)
+    lowest, highest = root[1] + slack, _deepest(member, root[0])
     if not lowest <= front <= highest:
         change = front - float(np.clip(front, lowest, highest))
         raise BlankError(
@@ -188,12 +188,13 @@ def _front_cone_at(member: MemberGeometry, root: tuple[float, float], front: flo
     return _end_point(member, 0.0, below)
 
 
-def _deepest(member: MemberGeometry) -> float:
-    """Greatest height at which the front end surface is still clear of the axis [mm]."""
-    rho_u = member.inner_cone_distance
+def _deepest(member: MemberGeometry, root_radius: float) -> float:
+    """Greatest height at which the front end surface still leaves room for a body round the axis [mm]."""
+    rho_u, radius = member.inner_cone_distance, 2 * _SMALLEST_WALL_SHARE * root_radius
     if member.ends == "sphere":
-        return rho_u * 0.999
-    return rho_u / max(float(np.cos(member.pitch_angle)), 1e-9) * 0.999
+        return float(np.sqrt(rho_u**2 - radius**2))
+    sin_d, cos_d = float(np.sin(member.pitch_angle)), max(float(np.cos(member.pitch_angle)), 1e-9)
+    return rho_u * cos_d + (rho_u * sin_d - radius) / cos_d * sin_d
 
 
 def _between(member: MemberGeometry, v: float, share: float) -> tuple[float, float]:

@@ -1,0 +1,118 @@
+"""The faces beside the flanks: exact fillets, roots and tips, moved so that they meet the flanks' edges as they are.
+
+A face is blended in the tooth's own coordinates (place along the face, polar angle, azimuth in the section), in
+which its ends stay on the end surfaces of the tooth whatever a flank's deviation is.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gearstudio.methods.space import Points, Space
+from gearstudio.nurbs import NurbsSurface
+from gearstudio.theory.cones import MemberGeometry
+from gearstudio.theory.profile import Segment, ToothProfile
+
+Floats = NDArray[np.float64]
+Angles = Callable[[Floats, Floats], tuple[Floats, Floats]]
+"""Polar angle and azimuth in the section of exact points at x (0 to 1) of a face and tip angles."""
+
+
+@dataclass(frozen=True)
+class Edge:
+    """A lengthwise edge in the tooth's own coordinates, shape (n,) each.
+
+    ``rho_u`` tells the end surface through a point [mm], ``delta`` its polar angle, ``phi`` its azimuth
+    before the section is turned by theta [rad]; the last two are None on an edge that theory gives.
+    """
+
+    rho_u: Floats
+    delta: Floats | None = None
+    phi: Floats | None = None
+
+
+def free_edge(member: MemberGeometry, places: Floats) -> Edge:
+    """An edge that theory gives, its places divided as the lengthwise law asks."""
+    return Edge(member.lengthwise.divided(member.inner_cone_distance, member.outer_cone_distance, places))
+
+
+def edge_of(member: MemberGeometry, surface: NurbsSurface, u: float, places: Floats, turned: float = 0.0) -> Edge:
+    """The edge u of a surface that is turned about the axis by an angle [rad]."""
+    x, y, z = surface.grid(np.array([u]), places)[0].T
+    radius = np.hypot(x, y)
+    rho, delta = np.hypot(radius, z), np.arctan2(radius, z)
+    phi = np.arctan2(y, x) - member.lengthwise.azimuth(rho)
+    phi = np.remainder(phi + np.pi, 2 * np.pi) - np.pi
+    return Edge(member.end_distance(rho, delta), delta, phi + turned)
+
+
+def placed(member: MemberGeometry, rho_u: Floats, delta: Floats, phi: Floats) -> Floats:
+    """Points of the tooth's own coordinates, shape (..., 3) [mm]."""
+    rho = member.cone_distance(rho_u, delta)
+    azimuth, radius = phi + member.lengthwise.azimuth(rho), rho * np.sin(delta)
+    return np.stack([radius * np.cos(azimuth), radius * np.sin(azimuth), rho * np.cos(delta)], axis=-1)
+
+
+def blended(
+    member: MemberGeometry, exact: Angles, first: Callable[[Floats], Edge], last: Callable[[Floats], Edge]
+) -> Points:
+    """Points of an exact face, moved linearly across it so that it meets two edges at x = 0 and x = 1."""
+
+    def points(x: Floats, y: Floats) -> Floats:
+        edges = (first(y), last(y))
+        weight = (1 - x[:, None], x[:, None])
+        rho_u = weight[0] * edges[0].rho_u + weight[1] * edges[1].rho_u
+        delta, phi = exact(x[:, None], _tip(member, rho_u))
+        for end, (edge, share) in enumerate(zip(edges, weight, strict=True)):
+            if edge.delta is not None and edge.phi is not None:
+                there = exact(np.full((1, 1), float(end)), _tip(member, edge.rho_u[None, :]))
+                delta = delta + share * (edge.delta - there[0])
+                phi = phi + share * _wrapped(edge.phi - there[1])
+        return placed(member, rho_u, delta, phi)
+
+    return points
+
+
+def lower_angles(profile: ToothProfile, name: Segment, side: int) -> Angles:
+    """A fillet or meridian on one side, from the root's end (x = 0) up."""
+
+    def angles(x: Floats, tip: Floats) -> tuple[Floats, Floats]:
+        delta, phi = profile.angles(name, np.broadcast_to(x, np.broadcast_shapes(x.shape, tip.shape)), tip)
+        return delta, side * phi
+
+    return angles
+
+
+def across_angles(profile: ToothProfile, name: Segment) -> Angles:
+    """The tip (about azimuth 0) or the root (about half a pitch), with growing azimuth."""
+    middle, end = (0.0, 0.0) if name == "tip" else (profile.member.pitch / 2, 1.0)
+
+    def angles(x: Floats, tip: Floats) -> tuple[Floats, Floats]:
+        at = np.full(np.broadcast_shapes(x.shape, tip.shape), end)
+        delta, phi = profile.angles(name, at, tip)
+        return delta, middle + (2 * x - 1) * np.abs(phi - middle)
+
+    return angles
+
+
+def reversed_across(surface: NurbsSurface) -> NurbsSurface:
+    """The same surface with its first parameter reversed."""
+    knots = np.asarray((surface.knots_u[0] + surface.knots_u[-1] - surface.knots_u)[::-1])
+    return NurbsSurface(surface.poles[::-1], knots, surface.knots_v, surface.degree_u, surface.degree_v)
+
+
+def profile_space() -> Space:
+    """Where the fit of a face begins across the tooth."""
+    return Space.even(5, 4)
+
+
+def _tip(member: MemberGeometry, rho_u: Floats) -> Floats:
+    return member.limit_angle(member.tip_limit, rho_u)
+
+
+def _wrapped(angle: Floats) -> Floats:
+    return np.asarray(np.remainder(angle + np.pi, 2 * np.pi) - np.pi)
