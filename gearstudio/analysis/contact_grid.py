@@ -87,8 +87,8 @@ def bounded_lag(mesh: FlankMesh, met: Meeting) -> Floats:
 def closer(grid: PinionGrid, u: Floats, v: Floats, turn: Floats) -> tuple[Floats, Floats, Floats]:
     """Look closer around the best grid points: a 5 x 5 pattern along the lines of contact, and 5 along the face.
 
-    All turns at once. Each direction shrinks once its best is not on the pattern's border. What lies beyond the wheel's tip or ends
-    is moved onto them, so that contact on an edge is found as well.
+    All turns at once. Each direction shrinks once its best is not on the pattern's border. What lies beyond the
+    wheel's tip or ends is moved onto them, so that contact on an edge is found as well.
     """
     mesh, each = grid.mesh, np.arange(len(turn))
     du, dv = float(np.diff(grid.u, axis=0).max()), float(grid.v[1] - grid.v[0])
