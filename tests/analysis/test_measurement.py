@@ -1,0 +1,263 @@
+"""Points made from theory, turned, shifted, with known errors: each comes back; points of another gear do not pass."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+
+import numpy as np
+import pytest
+
+from gearstudio.analysis.measurement import MeasuredPoints, MeasurementResult, measure
+from gearstudio.analysis.measurement_fit import azimuth_lever, places, turned_back
+from gearstudio.catalogue import MEMBERS
+from gearstudio.design import Design
+from gearstudio.errors import GeometryError
+from gearstudio.theory.cones import MemberGeometry, PairGeometry, pair_geometry
+from gearstudio.theory.flank import FLANKS, FlankName, InvoluteFlank, involute_flank
+from tests.designs import GOLDEN
+
+PAIR = pair_geometry(Design())
+Errors = Callable[[InvoluteFlank, int, np.ndarray, np.ndarray, np.ndarray], np.ndarray]
+
+
+@dataclass(frozen=True)
+class Part:
+    """Points of a made-up part and what they are."""
+
+    points: np.ndarray
+    normals: np.ndarray
+    side: np.ndarray
+    tooth: np.ndarray
+
+    def measured(self, normals: bool = False) -> list[MeasuredPoints]:
+        """In chunks of uneven size."""
+        cuts = [len(self.points) // 3, len(self.points) // 2]
+        both = zip(np.split(self.points, cuts), np.split(self.normals, cuts), strict=True)
+        return [MeasuredPoints(points, found if normals else None) for points, found in both]
+
+
+def part(
+    member: MemberGeometry,
+    teeth: Iterable[int],
+    *,
+    flanks: Iterable[FlankName] = FLANKS,
+    turn: float = 0.0,
+    shift: float = 0.0,
+    error: Errors | None = None,
+    noise_um: float = 0.0,
+    grid: tuple[int, int] = (6, 8),
+) -> Part:
+    """Points on some flanks of a part that lies turned and shifted, in random order; errors in µm, normal."""
+    random = np.random.default_rng(3)
+    found = []
+    u, v = np.meshgrid(np.linspace(0.03, 0.97, grid[0]), np.linspace(0.03, 0.97, grid[1]), indexing="ij")
+    for name in flanks:
+        flank = involute_flank(member, name)
+        exact, normals = flank.points(u, v).reshape(-1, 3), flank.normals(u, v).reshape(-1, 3)
+        face, profile = places(member, exact)
+        for tooth in teeth:
+            off = noise_um * random.standard_normal(len(exact))
+            if error is not None:
+                off = off + error(flank, tooth, exact, 2 * face - 1, 2 * profile - 1)
+            back = np.full(len(exact), -(tooth + turn / member.pitch))
+            points = turned_back(member, exact + off[:, None] * 1e-3 * normals, back) + np.array([0, 0, shift])
+            found.append(
+                (points, turned_back(member, normals, back), np.full(len(exact), flank.side), 0 * back + tooth)
+            )
+    order = random.permutation(sum(len(part[0]) for part in found))
+    return Part(*(np.concatenate(column)[order] for column in zip(*found, strict=True)))
+
+
+def assert_found(result: MeasurementResult, made: Part) -> None:
+    assert np.array_equal(result.side, made.side)
+    assert np.array_equal(result.tooth, made.tooth)
+    assert result.beside == 0
+
+
+@pytest.mark.parametrize("name", GOLDEN)
+@pytest.mark.parametrize("normals", [False, True])
+def test_turn_and_shift_come_back(name: str, normals: bool) -> None:
+    pair = pair_geometry(GOLDEN[name][0])
+    for member_name in MEMBERS:
+        member = pair.member(member_name)
+        for part_of_pitch, modules in ((0.0, 0.0), (0.4, 0.2), (-0.35, -0.4)):
+            turn, shift = part_of_pitch * member.pitch, modules * member.module
+            made = part(member, range(0, member.teeth, 3), turn=turn, shift=shift)
+            result = measure(pair, member_name, made.measured(normals))
+            assert np.degrees(abs(result.pose.turn - turn)) < 1e-6
+            assert abs(result.pose.shift - shift) < 1e-6
+            assert result.statistics.max_um < 1e-4
+            assert_found(result, made)
+
+
+def test_normals_into_the_metal_are_understood() -> None:
+    made = part(PAIR.wheel, range(5), turn=0.02)
+    inward = [MeasuredPoints(made.points, -made.normals)]
+    assert_found(measure(PAIR, "wheel", inward), made)
+
+
+@pytest.mark.parametrize("flank", FLANKS)
+def test_one_flank_of_one_tooth_is_enough(flank: FlankName) -> None:
+    made = part(PAIR.pinion, [4], flanks=[flank], turn=0.05, shift=-0.3)
+    result = measure(PAIR, "pinion", made.measured())
+    assert result.pose.turn == pytest.approx(0.05, abs=1e-8)
+    assert result.pose.shift == pytest.approx(-0.3, abs=1e-6)
+    assert set(result.flanks) == {flank} == set(result.form)
+    assert_found(result, made)
+
+
+def test_fit_can_be_switched_off() -> None:
+    made = part(PAIR.wheel, range(0, 40, 4), turn=0.001, shift=0.02)
+    still = measure(PAIR, "wheel", made.measured(), turn=False, shift=False)
+    assert (still.pose.turn, still.pose.shift) == (0, 0)
+    assert still.statistics.max_um > 10
+    turned = measure(PAIR, "wheel", part(PAIR.wheel, range(3), turn=0.001).measured(), shift=False)
+    assert turned.pose.turn == pytest.approx(0.001, abs=1e-9) and turned.pose.shift == 0
+    shifted = measure(PAIR, "wheel", part(PAIR.wheel, range(3), shift=0.02).measured(), turn=False)
+    assert shifted.pose.shift == pytest.approx(0.02, abs=1e-9) and shifted.pose.turn == 0
+
+
+def test_deviations_are_those_put_in() -> None:
+    made = part(PAIR.wheel, range(40), error=lambda flank, tooth, points, x, y: 30 * x * y)
+    result = measure(PAIR, "wheel", made.measured(), turn=False, shift=False)
+    face, profile = places(PAIR.wheel, turned_back(PAIR.wheel, made.points, made.tooth))
+    expected = 30 * (2 * face - 1) * (2 * profile - 1)
+    assert result.deviation_um == pytest.approx(expected, abs=0.5)
+    assert result.statistics.max_um == pytest.approx(30 * 0.94**2, abs=0.6)
+
+
+@pytest.mark.parametrize("free", [(True, True), (True, False), (False, True), (False, False)])
+def test_angle_errors_and_crowning_come_back(free: tuple[bool, bool]) -> None:
+    def error(flank: InvoluteFlank, tooth: int, points: np.ndarray, x: np.ndarray, y: np.ndarray) -> np.ndarray:
+        if flank.name == "concave":
+            return 5 * x - 3 * y - 4 * x**2 - 2 * y**2 + 1.5 * x * y
+        return -2 * x + 6 * y - x**2 - 3 * y**2
+
+    made = part(PAIR.wheel, range(0, 40, 2), error=error, turn=0.03 * free[0], shift=0.2 * free[1])
+    result = measure(PAIR, "wheel", made.measured(), turn=free[0], shift=free[1])
+    concave, convex = result.form["concave"], result.form["convex"]
+    assert (concave.spiral_um, convex.spiral_um) == pytest.approx((10, -4), abs=0.01)
+    assert (concave.pressure_um, convex.pressure_um) == pytest.approx((-6, 12), abs=0.01)
+    assert (concave.lengthwise_crown_um, convex.lengthwise_crown_um) == pytest.approx((4, 1), abs=0.01)
+    assert (concave.profile_crown_um, convex.profile_crown_um) == pytest.approx((2, 3), abs=0.01)
+    assert (concave.bias_um, convex.bias_um) == pytest.approx((3, 0), abs=0.01)
+    assert_found(result, made)
+
+
+def test_a_spiral_angle_error_is_the_angle() -> None:
+    """A gear made with another spiral angle, measured against the nominal one."""
+    other = pair_geometry(
+        Design.model_validate({"lengthwise": {"spiral_angle_deg": 35.02}, "pair": {"face_width": 20.0}})
+    )
+    nominal = pair_geometry(Design.model_validate({"pair": {"face_width": 20.0}}))
+    made = part(other.wheel, range(0, 40, 4))
+    form = measure(nominal, "wheel", made.measured()).form
+    for flank in FLANKS:
+        leans = 1 if flank == "concave" else -1
+        assert leans * form[flank].spiral_deg == pytest.approx(0.02, rel=0.15)
+
+
+def test_pitch_errors_come_back() -> None:
+    index = np.random.default_rng(5).normal(0, 8, 40)
+    index -= index.mean()
+    radius = PAIR.wheel.mean_cone_distance * np.sin(PAIR.wheel.pitch_angle)
+
+    def error(flank: InvoluteFlank, tooth: int, points: np.ndarray, x: np.ndarray, y: np.ndarray) -> np.ndarray:
+        return np.asarray(flank.side * index[tooth] / radius * azimuth_lever(flank, points)[1])
+
+    made = part(PAIR.wheel, range(40), error=error, turn=-0.04)
+    result = measure(PAIR, "wheel", made.measured())
+    for flank in FLANKS:
+        pitch = result.pitch[flank]
+        assert pitch.index_um == pytest.approx(index, abs=0.01)
+        assert pitch.cumulative_um == pytest.approx(index - index[0], abs=0.02)
+        assert pitch.single_um == pytest.approx(index - np.roll(index, 1), abs=0.02)
+        assert pitch.total_um == pytest.approx(np.ptp(index), abs=0.02)
+    assert_found(result, made)
+
+
+def test_pitch_errors_of_some_teeth() -> None:
+    pitch = measure(PAIR, "wheel", part(PAIR.wheel, [3, 4, 20]).measured()).pitch["convex"]
+    assert pitch.tooth.tolist() == [3, 4, 20]
+    assert pitch.single_um == pytest.approx([0, 0, 0], abs=1e-4)
+
+
+def test_noise_averages_out() -> None:
+    made = part(PAIR.wheel, range(40), turn=0.02, shift=0.1, noise_um=3)
+    result = measure(PAIR, "wheel", made.measured())
+    assert result.statistics.rms_um == pytest.approx(3, rel=0.05)
+    assert np.degrees(abs(result.pose.turn - 0.02)) < 2e-4
+    assert abs(result.pose.shift - 0.1) < 1e-3
+    assert_found(result, made)
+
+
+@pytest.mark.slow
+def test_a_million_points() -> None:
+    made = part(PAIR.wheel, range(40), turn=0.02, shift=0.1, noise_um=2, grid=(100, 125))
+    assert len(made.points) == 1_000_000
+    told: list[float] = []
+    result = measure(PAIR, "wheel", made.measured(), report=lambda stage, done: told.append(done))
+    assert len(told) > 10 and told == sorted(told)
+    assert np.degrees(abs(result.pose.turn - 0.02)) < 1e-5
+    assert_found(result, made)
+
+
+FOREIGN: dict[str, tuple[PairGeometry, str]] = {
+    "more teeth": (pair_geometry(Design.model_validate({"pair": {"wheel_teeth": 41}})), "another gear"),
+    "other spiral angle": (
+        pair_geometry(Design.model_validate({"lengthwise": {"spiral_angle_deg": 31.0}})),
+        "another gear",
+    ),
+    "other hand": (pair_geometry(Design.model_validate({"pair": {"pinion_hand": "right"}})), "other hand"),
+    "larger": (pair_geometry(Design.model_validate({"pair": {"outer_module": 6.0}})), "beside the wheel's teeth"),
+}
+
+
+@pytest.mark.parametrize("kind", FOREIGN)
+@pytest.mark.parametrize("normals", [False, True])
+def test_points_of_another_gear_are_refused(kind: str, normals: bool) -> None:
+    pair, reason = FOREIGN[kind]
+    made = part(pair.wheel, range(0, pair.wheel.teeth, 5))
+    with pytest.raises(GeometryError, match=reason):
+        measure(PAIR, "wheel", made.measured(normals))
+
+
+def test_points_of_the_mate_are_named() -> None:
+    with pytest.raises(GeometryError, match="they fit the wheel"):
+        measure(PAIR, "pinion", part(PAIR.wheel, range(8)).measured())
+    miter = pair_geometry(GOLDEN["miter-archimedean"][0])
+    with pytest.raises(GeometryError, match=r"they fit (the wheel|a gear of the other hand)"):
+        measure(miter, "pinion", part(miter.wheel, range(20)).measured())
+
+
+@pytest.mark.parametrize(("factor", "unit"), [(25.4, "inches"), (1000.0, "metres"), (1e-3, "micrometres")])
+def test_other_units_are_said(factor: float, unit: str) -> None:
+    made = part(PAIR.pinion, range(5), turn=0.1)
+    with pytest.raises(GeometryError, match=unit):
+        measure(PAIR, "pinion", [MeasuredPoints(made.points / factor)])
+
+
+def test_too_few_or_too_poor_points_are_refused() -> None:
+    made = part(PAIR.wheel, [0])
+    with pytest.raises(GeometryError, match="too few"):
+        measure(PAIR, "wheel", [MeasuredPoints(made.points[:2])])
+    with pytest.raises(GeometryError, match="too few"):
+        measure(PAIR, "wheel", [])
+    with pytest.raises(GeometryError, match="turning and shifting apart"):
+        measure(PAIR, "wheel", [MeasuredPoints(np.repeat(made.points[:1], 9, axis=0))])
+
+
+@pytest.mark.parametrize("bad", [np.nan, np.inf])
+def test_what_is_not_a_number_is_refused(bad: float) -> None:
+    points = part(PAIR.wheel, [0]).points.copy()
+    points[5, 1] = bad
+    with pytest.raises(GeometryError, match="not a number"):
+        measure(PAIR, "wheel", [MeasuredPoints(points)])
+
+
+def test_points_beside_the_flanks_are_left_out() -> None:
+    made = part(PAIR.wheel, range(10))
+    points = np.concatenate([made.points, np.array([[0.0, 0.0, 5.0], [10.0, 0.0, 100.0]])])
+    result = measure(PAIR, "wheel", [MeasuredPoints(points)])
+    assert result.beside == 2 and len(result.points) == len(made.points)
