@@ -71,7 +71,7 @@ class Studio(QObject):
         self.loader.failed.connect(self._on_failed)
         self.window.first_painted.connect(self.loader.start)
         self.window.closing.connect(self._on_closing)
-        theme.changed.connect(lambda _tokens: self.controller.refresh_theme(is_dark()))
+        theme.changed.connect(self._on_theme_changed)
         self._connect_help()
         theme.apply()
         self.window.restore_layout()
@@ -88,7 +88,11 @@ class Studio(QObject):
 
     def _on_closing(self) -> None:
         self._closed = True
+        self._theme.changed.disconnect(self._on_theme_changed)
         self.loader.stop()
+
+    def _on_theme_changed(self, _tokens: object) -> None:
+        self.controller.refresh_theme(is_dark())
 
     def _on_loaded(self, stage: str) -> None:
         if self._closed:
@@ -104,16 +108,12 @@ class Studio(QObject):
             self.controller.use_runner(JobRunner(self, log=str(log_file) if log_file.parent.is_dir() else None))
         elif stage == "views":
             self._make_views()
-        elif stage == "charts":
-            self.controller.charts_ready()
 
     def _on_failed(self, stage: str, text: str, details: str) -> None:
         if self._closed:
             return
         if stage == "views":
             self.window.area.placeholder.set_text("The 3D view could not be loaded.", waiting=False)
-        if stage == "charts":
-            self.window.analysis.show_failure("The analysis could not be loaded.")
         self.window.messages.show_message("error", f"A part of GearStudio could not be loaded: {text}", details)
 
     def _make_views(self) -> None:

@@ -22,7 +22,6 @@ STAGES: Mapping[str, tuple[str, ...]] = {
         "ui.roll_slider",
         "ui.view_grid",
     ),
-    "charts": ("pyqtgraph", "ui.analysis.pages"),
 }
 log = logging.getLogger(__name__)
 
