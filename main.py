@@ -6,8 +6,8 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
-COMMANDS = ("info", "compare", "points", "export")
-COMMANDS_TO_COME = ("contact", "measure", "report", "screenshot")
+COMMANDS = ("info", "compare", "points", "export", "contact", "measure")
+COMMANDS_TO_COME = ("report", "screenshot")
 
 
 def main(argv: Sequence[str] | None = None) -> int:

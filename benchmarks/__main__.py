@@ -8,7 +8,7 @@ import statistics
 import sys
 from collections.abc import Iterator
 
-from benchmarks import compare, peers, startup, window
+from benchmarks import compare, contact, peers, startup, window
 from benchmarks.measurement import Measurement
 
 RATIO, GAP_MS = 0.3, 50.0
@@ -23,6 +23,9 @@ def measurements() -> Iterator[Measurement]:
     for member in ("wheel", "pinion"):
         readings = [seconds / unit for seconds in compare.measure(member)]
         yield Measurement(f"comparison of all six variants, {member} / py_gearworks", readings, RATIO)
+
+    readings = [seconds / unit for seconds in contact.measure()]
+    yield Measurement("contact analysis, 100 × 60 points, 40 positions / py_gearworks", readings, contact.TARGET)
 
     edits = window.measure()
     yield Measurement("an edit to all three views / py_gearworks", [e.seconds / unit for e in edits], RATIO)

@@ -3,19 +3,21 @@
 from __future__ import annotations
 
 import argparse
+import re
 import sys
 from collections.abc import Callable
 from difflib import get_close_matches
-from typing import NoReturn
+from typing import Any, NoReturn
 
 from gearstudio import __version__
+from gearstudio.analysis.contact_placing import MARKING_THICKNESS_UM
 from gearstudio.catalogue import MEMBERS, METHOD_IDS, VARIANTS
-from gearstudio.cli import compare, export, info, points
+from gearstudio.cli import compare, contact, export, info, measure, points
 from gearstudio.exchange.points import POINT_FORMATS
 from gearstudio.theory.cloud import SPACINGS
 from gearstudio.theory.flank import FLANKS
 
-COMMANDS = ("info", "compare", "points", "export")
+COMMANDS = ("info", "compare", "points", "export", "contact", "measure")
 FEWEST_LINES, MOST_LINES = 2, 2000
 EXPORT_FORMATS = ("step", "iges", "brep", "stl", "3mf", "glb")
 
@@ -27,6 +29,14 @@ class Parser(argparse.ArgumentParser):
         """Print the problem and end with status 2."""
         print(f"{self.prog}: {message.replace(chr(10), ' ')}; see {self.prog} --help", file=sys.stderr)
         raise SystemExit(2)
+
+    def parse_known_args(self, args: Any = None, namespace: Any = None) -> tuple[Any, list[str]]:
+        """As argparse, but four numbers after ``--misalign`` may begin with a minus."""
+        words = list(sys.argv[1:] if args is None else args)
+        for index in range(len(words) - 2, -1, -1):
+            if words[index] == "--misalign" and re.match(r"-[\d.]", words[index + 1]):
+                words[index : index + 2] = [f"--misalign={words[index + 1]}"]
+        return super().parse_known_args(words, namespace)
 
 
 def nearest_command(word: str) -> str:
@@ -74,6 +84,23 @@ def make_parser() -> argparse.ArgumentParser:
     made.add_argument("--variant", choices=VARIANTS, default="optimised", help="default: optimised")
     made.add_argument("--format", choices=EXPORT_FORMATS, action="append", required=True, help="may be repeated")
     made.add_argument("--out", required=True, metavar="DIR", help="made when missing")
+
+    made = command("contact", "tooth contact analysis for drive and coast", contact.run)
+    made.add_argument(
+        "--misalign", type=contact.misalignment, metavar="E,P,G,S", help="mm, mm, mm, degrees; default: 0,0,0,0"
+    )
+    made.add_argument(
+        "--thickness", type=contact.thickness, default=MARKING_THICKNESS_UM, metavar="UM",
+        help=f"of the marking compound in µm; default: {MARKING_THICKNESS_UM:g}",
+    )  # fmt: skip
+    _add_json(made)
+
+    made = command("measure", "measured points against the theory", measure.run)
+    made.add_argument("points", metavar="POINTS", help="a file of points in mm: CSV, .dat, or columns with normals")
+    made.add_argument("--member", choices=MEMBERS, required=True)
+    made.add_argument("--no-turn", action="store_true", help="take the points as turned: no best fit about the axis")
+    made.add_argument("--no-shift", action="store_true", help="take the points as placed: no best fit along the axis")
+    _add_json(made)
     return parser
 
 

@@ -241,7 +241,7 @@ def test_a_design_that_is_not_there_is_one_line(name: str, run: Any) -> None:
         ["compare", "preset:default", "--json"],
         ["export", "preset:default", *EXPORT],
         ["export", "preset:default", *EXPORT, "--out", "x", "--method", "magic"],
-        ["contact", "preset:default"],
+        ["report", "preset:default"],
     ],
 )
 def test_wrong_arguments_are_one_line_and_status_2(argv: list[str], run: Any) -> None:
@@ -287,7 +287,7 @@ def test_the_door_knows_the_commands() -> None:
 
 
 @pytest.mark.parametrize(
-    ("word", "said"), [("inf", "the nearest command is info"), ("contact", "not available yet"), ("Export", "export")]
+    ("word", "said"), [("inf", "the nearest command is info"), ("report", "not available yet"), ("Export", "export")]
 )
 def test_a_mistyped_command_opens_no_window(word: str, said: str, capsys: pytest.CaptureFixture[str]) -> None:
     assert door.main([word, "preset:default"]) == 2
