@@ -11,11 +11,12 @@ from numpy.typing import NDArray
 from OCP.Approx import Approx_ParametrizationType
 from OCP.BRep import BRep_Tool
 from OCP.BRepOffsetAPI import BRepOffsetAPI_MakePipeShell, BRepOffsetAPI_ThruSections
+from OCP.BRepTools import BRepTools_WireExplorer
 from OCP.Geom import Geom_BSplineCurve, Geom_BSplineSurface
 from OCP.GeomAPI import GeomAPI_PointsToBSplineSurface
 from OCP.gp import gp_Trsf
 from OCP.TopAbs import TopAbs_ShapeEnum
-from OCP.TopExp import TopExp_Explorer
+from OCP.TopExp import TopExp, TopExp_Explorer
 from OCP.TopoDS import TopoDS, TopoDS_Shape
 from scipy.interpolate import BSpline, make_interp_spline
 
@@ -92,26 +93,35 @@ def pipe(profiles: Sequence[Curve], spine: Curve, tolerance: float) -> NurbsSurf
     Raises
     ------
     GeometryError
-        The kernel made no single surface, neither with the spine's own frame nor with a discrete one.
+        The kernel made no single surface: neither with the spine's own frame nor with a discrete one, nor with
+        a tolerance a thousand times as wide, which a spine of several turns may need.
     """
+    path = to_wire(spine.geometry)
+    edge = BRepTools_WireExplorer(path).Current()
+    ends = [TopExp.FirstVertex_s(edge, True), TopExp.LastVertex_s(edge, True)]
 
-    def builder(discrete: bool) -> BRepOffsetAPI_MakePipeShell:
-        maker = BRepOffsetAPI_MakePipeShell(to_wire(spine.geometry))
-        if discrete:
-            maker.SetDiscreteMode()
-        else:
-            maker.SetMode(False)
-        maker.SetTolerance(tolerance, tolerance, 1e-4)
-        maker.SetMaxDegree(_PIPE_MAX_DEGREE)
-        maker.SetMaxSegments(_PIPE_MAX_SEGMENTS)
-        for profile in profiles:
-            maker.Add(to_wire(profile.geometry), False, False)
-        return maker
+    def attempt(discrete: bool, tolerance: float) -> NurbsSurface:
+        def builder() -> BRepOffsetAPI_MakePipeShell:
+            maker = BRepOffsetAPI_MakePipeShell(path)
+            if discrete:
+                maker.SetDiscreteMode()
+            else:
+                maker.SetMode(False)
+            maker.SetTolerance(tolerance, tolerance, 1e-4)
+            maker.SetMaxDegree(_PIPE_MAX_DEGREE)
+            maker.SetMaxSegments(_PIPE_MAX_SEGMENTS)
+            for profile, end in zip(profiles, ends, strict=False):
+                maker.Add(to_wire(profile.geometry), end, False, False)
+            return maker
 
-    try:
-        return _only_surface(lambda: builder(discrete=False), "pipe")
-    except GeometryError:
-        return _only_surface(lambda: builder(discrete=True), "pipe with a discrete frame")
+        return _only_surface(builder, "pipe")
+
+    for discrete, wider in ((False, 1.0), (True, 1.0), (False, 1e3)):
+        try:
+            return attempt(discrete, wider * tolerance)
+        except GeometryError:
+            continue
+    return attempt(True, 1e3 * tolerance)
 
 
 def interpolated_points(points: Floats) -> NurbsSurface:

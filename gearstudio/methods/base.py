@@ -20,7 +20,7 @@ Floats = NDArray[np.float64]
 SAFETY = 0.5
 """Part of the tolerance that a refinement aims at: it looks between its nodes, not everywhere."""
 _MAX_ROUNDS = 14
-_MAX_COUNT = 600
+_MAX_COUNT = 1000
 _LARGE_CONE_DISTANCE = 250.0
 
 
@@ -127,7 +127,7 @@ class Refinement:
             if sum(errors) <= self.goal:
                 return construction
             grown = tuple(self._grown(*x) for x in zip(counts, errors, self.orders, strict=True))
-            if grown == counts or max(grown) > _MAX_COUNT:
+            if grown == counts:
                 break
             counts = grown
         reached = ", ".join(f"{error * 1e3:.3g}" for error in errors)
@@ -143,4 +143,4 @@ class Refinement:
         if error <= share:
             return count
         factor = float(np.clip(1.05 * (error / share) ** (1 / order), 1.15, 2.5))
-        return int(np.ceil(count * factor))
+        return min(int(np.ceil(count * factor)), max(count, _MAX_COUNT))

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from gearstudio import catalogue
 from gearstudio.catalogue import MethodInfo, Variant
+from gearstudio.kernel.convert import CONFUSION_MM
 from gearstudio.kernel.surfaces import curve_through, reconstructed, skin
 from gearstudio.methods.base import SAFETY, Construction, Refinement, Target, between, node_errors
 from gearstudio.nurbs import NurbsSurface
@@ -28,6 +29,7 @@ _FIRST_POSITIONS = 9
 _FIRST_CUT = (11, 11)
 _DRAWN_POINTS = 60
 _SKIN_SHARE = 0.02
+_FINEST_PATCH = 2.5 * CONFUSION_MM
 _LIMIT_SAMPLES = 65
 
 
@@ -102,7 +104,7 @@ class RotatingLine:
             settings = {"positions": positions, "points": points}
             return Construction(patch.surface, line, settings), _patch_errors(patch, points, positions)
 
-        goal = SAFETY * target.tolerance / 4
+        goal = max(SAFETY * target.tolerance / 4, _FINEST_PATCH)
         positions = Refinement(self.info.id, goal, (_CURVE_DEGREE + 1, 7)).run(
             (_FIRST_POINTS, _FIRST_POSITIONS), attempt
         )
