@@ -34,6 +34,8 @@ class Roll:
         Steps in one pitch of the pinion.
     pitch : float
         Of the pinion [rad].
+    remedy : str
+        What to do where no tooth touches.
     """
 
     turn: Floats
@@ -42,6 +44,7 @@ class Roll:
     v: Floats
     per_pitch: int
     pitch: float
+    remedy: str
 
     @property
     def first(self) -> int:
@@ -60,7 +63,7 @@ class Roll:
         np.minimum.at(lag, (self.first + np.arange(len(self.lag))) % self.per_pitch, self.lag)
         if not np.all(np.isfinite(lag)):
             raise GeometryError(
-                "no contact: with this misalignment the flanks do not face each other; bring the members closer"
+                f"no contact: at some turn no tooth of the pinion faces a flank of the wheel; {self.remedy}"
             )
         return lag
 
@@ -103,7 +106,8 @@ def roll(grid: PinionGrid, positions: int) -> Roll:
     row, column = np.divmod(np.maximum(best, 0), len(grid.v))
     u, v, lag = grid.u[row, column], grid.v[column], np.full(len(turn), np.inf)
     u[touched], v[touched], lag[touched] = closer(grid, u[touched], v[touched], turn[touched])
-    return Roll(turn, lag, u, v, per_pitch, pitch)
+    remedy = "take less misalignment" if mesh.misaligned else "give the pair deeper teeth or a larger overlap"
+    return Roll(turn, lag, u, v, per_pitch, pitch, remedy)
 
 
 def _window(mesh: FlankMesh) -> tuple[float, float]:

@@ -51,7 +51,7 @@ def run(args: argparse.Namespace) -> int:
     try:
         result = contact_analysis(pair, args.misalign, thickness_um=args.thickness)
     except GeometryError as error:
-        problem(f"--misalign: {error}")
+        problem(f"--misalign: {error}" if args.misalign else f"{args.design}: {error}")
         return UNUSABLE_INPUT
     if args.json != STANDARD_OUTPUT:
         print(f"{design.name}\n\n{_text(result)}")

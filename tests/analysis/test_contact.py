@@ -6,12 +6,14 @@ import pickle
 
 import numpy as np
 import pytest
+from hypothesis import HealthCheck, assume, given, settings
 from scipy.optimize import least_squares
 
 from gearstudio.analysis.contact import contact_analysis, contact_table
 from gearstudio.analysis.contact_grid import pinion_grid
 from gearstudio.analysis.contact_placing import FlankMesh, Misalignment, flank_mesh
 from gearstudio.analysis.contact_result import DIRECTIONS, ContactResult
+from gearstudio.analysis.contact_roll import Roll
 from gearstudio.analysis.ease_off import ease_off
 from gearstudio.design import Design
 from gearstudio.errors import GeometryError
@@ -23,7 +25,9 @@ from gearstudio.theory.pair import (
     transverse_contact_ratio,
     wheel_placement,
 )
+from gearstudio.validation import check
 from tests.designs import GOLDEN
+from tests.strategies import designs
 
 Floats = np.ndarray
 PAIR = pair_geometry(Design())
@@ -231,6 +235,25 @@ def test_jamming_is_said() -> None:
 def test_no_contact_is_an_error(beyond: Misalignment) -> None:
     with pytest.raises(GeometryError, match="no contact"):
         contact_analysis(PAIR, beyond)
+
+
+def test_a_roll_with_a_gap_is_an_error() -> None:
+    """Three steps to a pitch, and in one of them nothing touches."""
+    lag = np.array([0.0, np.inf, 0.0, 1.0, np.inf])
+    rolled = Roll(np.arange(5) / 3, lag, lag, lag, 3, 1.0, "give the pair deeper teeth")
+    with pytest.raises(GeometryError, match=r"no contact: .*deeper teeth"):
+        rolled.shared_lag()
+
+
+@settings(max_examples=12, deadline=None, suppress_health_check=list(HealthCheck))
+@given(designs())
+def test_random_pairs_are_conjugate(design: Design) -> None:
+    assume(not {"interference", "contact_ratio", "working_depth"} & {issue.code for issue in check(design)})
+    result = contact_analysis(pair_geometry(design), points=(25, 31), positions=20)
+    for direction in DIRECTIONS:
+        side = result.direction(direction)
+        assert side.peak_to_peak_arcsec <= 0.01
+        assert side.path.edges == () and side.pattern_share == 1
 
 
 @pytest.mark.parametrize("thickness", [0.0, -1.0, np.nan, np.inf])
