@@ -108,12 +108,16 @@ class Studio(QObject):
             self.controller.use_runner(JobRunner(self, log=str(log_file) if log_file.parent.is_dir() else None))
         elif stage == "views":
             self._make_views()
+        elif stage == "charts":
+            self.controller.charts_ready()
 
     def _on_failed(self, stage: str, text: str, details: str) -> None:
         if self._closed:
             return
         if stage == "views":
             self.window.area.placeholder.set_text("The 3D view could not be loaded.", waiting=False)
+        if stage == "charts":
+            self.window.analysis.show_failure("The analysis could not be loaded.")
         self.window.messages.show_message("error", f"A part of GearStudio could not be loaded: {text}", details)
 
     def _make_views(self) -> None:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from PySide6.QtCore import QObject, Signal
 
+from ui.analysis.presenter import AnalysisPresenter
 from ui.applicability import derived_hints, idle_fields
 from ui.builds import Builds
 from ui.presenter import Presenter, view_title
@@ -42,6 +43,7 @@ class Controller(QObject):
         self.history = History()
         self.builds = Builds(session, self)
         self.presenter = Presenter(session, window.area, self)
+        self.analysis = AnalysisPresenter(session, window.analysis, self)
         self.runner: JobRunner | None = None
         self._connect_form()
         self._connect_selection()
@@ -85,6 +87,10 @@ class Controller(QObject):
         self.window.commands.views.triggered.connect(lambda action: grid.set_view(action.data()))
         self.presenter.redraw()
 
+    def charts_ready(self) -> None:
+        """The charts' library is loaded."""
+        self.analysis.use_charts()
+
     def refresh_theme(self, dark: bool) -> None:
         """The colours have changed."""
         self.window.refresh_theme()
@@ -123,6 +129,7 @@ class Controller(QObject):
 
     def _connect_results(self) -> None:
         self.session.results_changed.connect(self._on_results_changed)
+        self.analysis.said.connect(lambda kind, text: self.window.messages.show_message(kind, text, topic="analysis"))
         self.builds.work_changed.connect(self._on_work_changed)
         self.builds.other_job_done.connect(self._on_export_done)
         self.builds.other_job_failed.connect(self._on_export_failed)

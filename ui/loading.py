@@ -22,6 +22,7 @@ STAGES: Mapping[str, tuple[str, ...]] = {
         "ui.roll_slider",
         "ui.view_grid",
     ),
+    "charts": ("pyqtgraph", "ui.analysis.pages"),
 }
 log = logging.getLogger(__name__)
 

@@ -10,6 +10,7 @@ from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QGuiApplicat
 from PySide6.QtWidgets import QDockWidget, QMainWindow, QSizePolicy, QToolBar, QWidget
 
 from ui.actions import Actions
+from ui.analysis.area import COMPARISON, AnalysisArea
 from ui.comparison_table import ComparisonTable
 from ui.derived_panel import DerivedPanel
 from ui.layer_panel import LayerPanel
@@ -21,17 +22,19 @@ from ui.status import Status
 from ui.theme import HERE, refresh_icons
 from ui.view_area import ViewArea
 
-LAYOUT_VERSION = 1
+LAYOUT_VERSION = 2
 ROOMY_WIDTH = 1500
 """From this width on the list of layers is open from the start."""
 FORM_WIDTH, LAYERS_WIDTH = 356, 252
+ANALYSIS_SHARE, ANALYSIS_LEAST = 0.46, 330
+"""Height of the analysis below the views while one of its charts is in sight."""
 LEFT = Qt.DockWidgetArea.LeftDockWidgetArea
 RIGHT = Qt.DockWidgetArea.RightDockWidgetArea
 BOTTOM = Qt.DockWidgetArea.BottomDockWidgetArea
 
 
 class MainWindow(QMainWindow):
-    """Form and derived values on the left, views in the middle, layers on the right, comparison below.
+    """Form and derived values on the left, views in the middle, layers on the right, analysis below.
 
     ``may_close`` is asked before the window closes.
 
@@ -64,6 +67,7 @@ class MainWindow(QMainWindow):
         self.area = ViewArea()
         self.layer_panel = LayerPanel()
         self.table = ComparisonTable(session)
+        self.analysis = AnalysisArea(self.table)
         self.method_bar = MethodBar()
         self.status = Status()
         self.setStatusBar(self.status)
@@ -88,6 +92,7 @@ class MainWindow(QMainWindow):
         self.messages.refresh_icons()
         refresh_icons(self)
         self.table.refresh()
+        self.analysis.refresh_theme()
         for widget in self.findChildren(QWidget):
             widget.update()
 
@@ -108,12 +113,21 @@ class MainWindow(QMainWindow):
             dock.setFloating(False)
             self.addDockWidget(area, dock)
             dock.show()
-        parameters, derived, layers, comparison = self._docks
+        parameters, derived, layers, _ = self._docks
         self.splitDockWidget(parameters, derived, Qt.Orientation.Vertical)
         layers.setVisible(self.width() >= ROOMY_WIDTH)
         self.resizeDocks([parameters, derived], [62, 38], Qt.Orientation.Vertical)
         self.resizeDocks([parameters, layers], [FORM_WIDTH, LAYERS_WIDTH], Qt.Orientation.Horizontal)
-        self.resizeDocks([comparison], [comparison.sizeHint().height()], Qt.Orientation.Vertical)
+        self.analysis.expand.setChecked(False)
+        self._fit_analysis()
+
+    def _fit_analysis(self) -> None:
+        """Room for what is in sight below the views: the table as it is, a chart as large as it needs."""
+        dock = list(self._docks)[-1]
+        height = self.table.height() + self.analysis.bar.sizeHint().height()
+        if self.analysis.tab != COMPARISON:
+            height = max(ANALYSIS_LEAST, round(ANALYSIS_SHARE * self.height()), dock.height())
+        self.resizeDocks([dock], [height], Qt.Orientation.Vertical)
 
     def paintEvent(self, event: QPaintEvent) -> None:
         super().paintEvent(event)
@@ -144,6 +158,7 @@ class MainWindow(QMainWindow):
             self._settings.setValue("layout", self.saveState(LAYOUT_VERSION))
         self.hide()
         self.closing.emit()
+        self.analysis.close_pages()
         self.area.close_views()
         event.accept()
 
@@ -167,8 +182,12 @@ class MainWindow(QMainWindow):
             self._dock("Parameters", self.form): LEFT,
             self._dock("Derived values", self.derived): LEFT,
             self._dock("Layers", self.layer_panel): RIGHT,
-            self._dock("Comparison", self.table): BOTTOM,
+            self._dock("Analysis", self.analysis): BOTTOM,
         }
+        analysis = list(self._docks)[-1]
+        analysis.setTitleBarWidget(self.analysis.bar)
+        self.analysis.tab_chosen.connect(lambda _tab: self._fit_analysis())
+        self.analysis.expanded.connect(lambda on: self.area.setVisible(not on))
         for dock in self._docks:
             self.commands.panels.addAction(dock.toggleViewAction())
 

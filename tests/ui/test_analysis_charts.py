@@ -1,0 +1,140 @@
+"""Charts: what they show, how they are written, and the pages around them."""
+
+from __future__ import annotations
+
+import csv
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QPointF
+from PySide6.QtGui import QGuiApplication, QImage
+
+from tests.ui.made_up import member_of, result_of
+from ui.analysis.deviation_series import (
+    LEAST_UM,
+    PAPER_MEANS_UM,
+    Choice,
+    along,
+    deviation_chart,
+    histogram_chart,
+)
+from ui.charts.records import Axis, ChartData, Series, micrometre_tick, orders_apart
+from ui.session import Key
+
+pytestmark = pytest.mark.ui
+CHOICE = Choice("wheel", "concave")
+
+
+def results(sizes: dict[tuple[str, str], float]) -> dict:
+    member = member_of("default")
+    return {
+        Key("wheel", *key): result_of(member, lambda u, v, size=size: size * (0.2 + u * v), method=key[0])
+        for key, size in sizes.items()
+    }
+
+
+def test_paths_over_a_map() -> None:
+    u, v = np.mgrid[0:1:29j, 0:1:29j]
+    deviation = -(10 * u + v)
+    places, sizes = along(deviation, "face")
+    assert places[0] == 0 and places[-1] == 1
+    np.testing.assert_allclose(sizes, 5 + places)
+    np.testing.assert_allclose(along(deviation, "profile")[1], 0.5 + 10 * places)
+    numbers, series = along(deviation, "grid")
+    assert numbers[0] == 1 and numbers[-1] == 49
+    first = series.reshape(7, 7)
+    assert np.all(np.diff(first, axis=1) > 0) and np.all(np.diff(first, axis=0) > 0)
+    assert series.min() > 0 and series.max() < 11
+
+
+def test_methods_that_differ_by_orders_get_a_logarithmic_axis() -> None:
+    near = deviation_chart(results({("point_cloud", "published"): 5.0, ("profile_sweep", "published"): 9.0}), CHOICE)
+    assert not near.y.log and near.y.unit == "µm"
+    far = deviation_chart(results({("point_cloud", "published"): 5.0, ("point_cloud", "optimised"): 5e-4}), CHOICE)
+    assert far.y.log and [series.stroke for series in far.series] == ["dash", "solid"]
+    exact = deviation_chart(results({("point_cloud", "published"): 5.0, ("point_cloud", "optimised"): 0.0}), CHOICE)
+    assert not exact.y.log
+    forced = deviation_chart(results({("point_cloud", "optimised"): 0.0}), Choice("wheel", "concave", log=True))
+    assert np.all(forced.series[0].y == LEAST_UM)
+
+
+def test_the_papers_figures_are_drawn_beside_the_results_when_wanted() -> None:
+    found = results({("point_cloud", "published"): 5.0})
+    chart = deviation_chart(found, CHOICE)
+    assert {line.value for line in chart.references} == set(PAPER_MEANS_UM.values()) == {54.6, 60.3, 52.9}
+    assert (chart.bands[0].low, chart.bands[0].high) == (43.4, 71.3)
+    assert not deviation_chart(found, Choice("wheel", "concave", paper=False)).references
+    empty = deviation_chart({}, CHOICE)
+    assert empty.note and not empty.series and not empty.references
+
+
+def test_a_histogram_counts_every_point() -> None:
+    for sizes in (
+        {("point_cloud", "published"): 5.0},
+        {("point_cloud", v): s for v, s in (("published", 5.0), ("optimised", 1e-3))},
+    ):
+        chart = histogram_chart(results(sizes), CHOICE)
+        for series in chart.series:
+            assert len(series.x) == len(series.y) + 1
+            assert series.y.sum() == pytest.approx(100)
+
+
+def test_ticks_read_well() -> None:
+    assert [micrometre_tick(value) for value in (0, 1e-5, 1e-3, 0.1, 10.0)] == ["0", "10 pm", "1 nm", "0.1 µm", "10 µm"]
+    assert orders_apart([np.array([1.0]), np.array([100.0])]) and not orders_apart([np.array([0.0])])
+
+
+def chart_data() -> ChartData:
+    x = np.linspace(0, 1, 5)
+    return ChartData("a-chart", Axis("Place"), Axis("Deviation", "µm"), (Series("one", x, x**2, "pinion"),))
+
+
+@pytest.fixture
+def frame(qtbot, theme):
+    from ui.charts.chart import Chart
+    from ui.charts.frame import ChartFrame
+
+    chart = Chart()
+    made = ChartFrame(chart)
+    qtbot.addWidget(made)
+    made.resize(640, 360)
+    chart.show_data(chart_data())
+    made.show()
+    qtbot.waitExposed(made)
+    return made
+
+
+def test_a_chart_is_saved_as_picture_drawing_and_table(frame, tmp_path: Path) -> None:
+    said: list[tuple[str, str]] = []
+    frame.said.connect(lambda *words: said.append(words))
+    for name in ("a.png", "b.svg", "c.csv", "d"):
+        frame.save(tmp_path / name)
+    assert [kind for kind, _ in said] == ["info"] * 4
+    picture = QImage(str(tmp_path / "a.png"))
+    assert picture.width() == 2 * frame.chart.width()
+    colors = {picture.pixel(x, y) for x in range(0, picture.width(), 7) for y in range(0, picture.height(), 7)}
+    assert len(colors) > 3
+    drawing = (tmp_path / "b.svg").read_text(encoding="utf-8")
+    assert "<svg" in drawing and "Deviation [µm]" in drawing
+    rows = list(csv.reader((tmp_path / "c.csv").open(encoding="utf-8")))
+    assert rows[0] == ["Place", "one [µm]"] and float(rows[-1][1]) == 1.0 and len(rows) == 6
+    assert (tmp_path / "d.png").exists()
+    frame.save(tmp_path / "e.xyz")
+    frame.save(tmp_path / "missing" / "f.png")
+    assert [kind for kind, _ in said[4:]] == ["error", "error"]
+
+
+def test_a_chart_is_copied_as_picture_and_numbers(frame) -> None:
+    frame.copy()
+    data = QGuiApplication.clipboard().mimeData()
+    assert data.hasImage() and data.text().splitlines()[0] == "Place\tone [µm]"
+
+
+def test_pointing_at_a_curve_reads_it_out(frame) -> None:
+    chart = frame.chart
+    box = chart.plot.vb
+    chart._on_moved(box.mapViewToScene(QPointF(0.5, 0.25)))
+    assert "Place 0.5" in chart._readout.toPlainText() and "0.25 µm" in chart._readout.toPlainText()
+    chart._on_moved(QPointF(-50, -50))
+    assert chart._readout.toPlainText() == ""

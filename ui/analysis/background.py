@@ -1,0 +1,92 @@
+"""Work with arrays in one thread: of the requests that wait, only the newest is carried out."""
+
+from __future__ import annotations
+
+import logging
+import threading
+import traceback
+from collections.abc import Callable
+from typing import Any
+
+from PySide6.QtCore import QObject, Signal
+
+from gearstudio.errors import GearStudioError
+
+Work = Callable[[], Any]
+log = logging.getLogger(__name__)
+
+
+class Newest(QObject):
+    """Runs requests one at a time; a new one replaces the one that waits.
+
+    The thread starts with the first request. Results arrive in the thread of this object.
+
+    Signals
+    -------
+    done(object, object)
+        The request's label and its result.
+    failed(object, str, str)
+        Label, a line for the user, and the traceback (empty for what was to be expected).
+    idle()
+        Nothing is left to do.
+    """
+
+    done = Signal(object, object)
+    failed = Signal(object, str, str)
+    idle = Signal()
+
+    def __init__(self, name: str, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._name = name
+        self._changed = threading.Condition()
+        self._waiting: tuple[object, Work] | None = None
+        self._thread: threading.Thread | None = None
+        self._closed = False
+
+    def request(self, label: object, work: Work) -> None:
+        """Ask for work; what still waits is forgotten."""
+        with self._changed:
+            if self._closed:
+                return
+            self._waiting = (label, work)
+            if self._thread is None:
+                self._thread = threading.Thread(target=self._run, name=self._name, daemon=True)
+                self._thread.start()
+            self._changed.notify()
+
+    def close(self) -> None:
+        """Take no more, and wait for what is being done."""
+        with self._changed:
+            self._closed, self._waiting = True, None
+            self._changed.notify()
+        if self._thread is not None:
+            self._thread.join()
+
+    def _run(self) -> None:
+        while True:
+            with self._changed:
+                self._changed.wait_for(lambda: self._closed or self._waiting is not None)
+                if self._waiting is None:
+                    return
+                (label, work), self._waiting = self._waiting, None
+            self._do(label, work)
+            with self._changed:
+                if self._closed:
+                    return
+                if self._waiting is None:
+                    self.idle.emit()
+
+    def _do(self, label: object, work: Work) -> None:
+        try:
+            result = work()
+        except GearStudioError as error:
+            self._tell(self.failed, label, str(error), "")
+        except Exception as error:
+            log.exception("%s failed", self._name)
+            self._tell(self.failed, label, f"{type(error).__name__}: {error}", traceback.format_exc())
+        else:
+            self._tell(self.done, label, result)
+
+    def _tell(self, signal: Any, *values: object) -> None:
+        if not self._closed:
+            signal.emit(*values)

@@ -1,0 +1,13 @@
+"""The pages of the analysis area and how they are made; importing this loads the charts' library."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+
+from PySide6.QtWidgets import QWidget
+
+from ui.analysis.charts_page import ChartsPage
+
+FACTORIES: Mapping[str, Callable[[], QWidget]] = {
+    "charts": ChartsPage,
+}

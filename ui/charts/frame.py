@@ -1,0 +1,103 @@
+"""A chart with a row of controls over it, and the means to copy and save it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Protocol
+
+from PySide6.QtCore import QDir, QSize, QStandardPaths, Signal
+from PySide6.QtGui import QGuiApplication
+from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QLabel, QSizePolicy, QToolButton, QVBoxLayout, QWidget
+
+from gearstudio.errors import FileError
+from ui.charts.export import FILTERS, Paint, clipboard_data, save
+from ui.charts.records import Table
+from ui.theme import set_icon
+
+
+class Drawable(Protocol):
+    """A widget that shows a chart."""
+
+    @property
+    def paint(self) -> Paint: ...
+    @property
+    def table(self) -> Table: ...
+    @property
+    def name(self) -> str: ...
+    def size(self) -> QSize: ...
+
+
+class ChartFrame(QWidget):
+    """A chart under a title or controls, with Copy and Save at the right end.
+
+    Signals
+    -------
+    said(str, str)
+        Severity and a line for the user: what was saved, or why not.
+    """
+
+    said = Signal(str, str)
+
+    def __init__(self, chart: QWidget, title: str = "", parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.chart: Drawable = chart  # type: ignore[assignment]
+        self.head = QHBoxLayout()
+        self.head.setContentsMargins(8, 4, 6, 0)
+        self.head.setSpacing(8)
+        self.title = QLabel(title)
+        self.title.setProperty("role", "section")
+        self.title.setVisible(bool(title))
+        self.head.addWidget(self.title)
+        self.hint = QLabel()
+        self.hint.setProperty("role", "muted")
+        self.hint.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        self.head.addWidget(self.hint, 1)
+        self._button("copy", "Copy the picture and the numbers", self.copy)
+        self._button("save", "Save as PNG, SVG or CSV…", self.ask_and_save)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setSpacing(0)
+        layout.addLayout(self.head)
+        layout.addWidget(chart, 1)
+
+    def add_control(self, widget: QWidget) -> None:
+        """Put a control in the row, before the hint."""
+        self.head.insertWidget(self.head.indexOf(self.hint), widget)
+
+    def set_hint(self, text: str) -> None:
+        """A line beside the controls; cut off where there is no room, whole in its tip."""
+        self.hint.setText(text)
+        self.hint.setToolTip(text)
+
+    def copy(self) -> None:
+        """Put picture and numbers on the clipboard."""
+        chart = self.chart
+        QGuiApplication.clipboard().setMimeData(clipboard_data(chart.size(), chart.paint, chart.table.text("\t")))
+        self.said.emit("info", "Copied the chart: picture and numbers")
+
+    def ask_and_save(self) -> None:
+        """Ask for a name and save."""
+        folder = QStandardPaths.writableLocation(QStandardPaths.StandardLocation.DocumentsLocation) or QDir.homePath()
+        name, _ = QFileDialog.getSaveFileName(self, "Save chart", f"{folder}/{self.chart.name}.png", FILTERS)
+        if name:
+            self.save(Path(name))
+
+    def save(self, path: Path) -> None:
+        """Save as the name's ending says."""
+        chart = self.chart
+        try:
+            written = save(path, chart.size(), chart.paint, chart.table.text(), chart.name)
+        except FileError as error:
+            self.said.emit("error", f"The chart was not saved: {error}")
+        else:
+            self.said.emit("info", f"Saved the chart as {written}")
+
+    def _button(self, icon: str, tip: str, run: object) -> None:
+        button = QToolButton()
+        button.setAutoRaise(True)
+        button.setIconSize(QSize(16, 16))
+        set_icon(button, icon)
+        button.setToolTip(tip)
+        button.setAccessibleName(tip)
+        button.clicked.connect(run)
+        self.head.addWidget(button)
