@@ -66,7 +66,6 @@ class Studio(QObject):
         self.controller = Controller(self.session, self.window, self.files)
         self.loader = Loader(parent=self)
         self._dialogs: list[ReportDialog] = []
-        self._closed = False
         self.loader.loaded.connect(self._on_loaded)
         self.loader.failed.connect(self._on_failed)
         self.window.first_painted.connect(self.loader.start)
@@ -87,7 +86,6 @@ class Studio(QObject):
             self._show_report("Unexpected error", words, report)
 
     def _on_closing(self) -> None:
-        self._closed = True
         self._theme.changed.disconnect(self._on_theme_changed)
         self.loader.stop()
 
@@ -95,8 +93,6 @@ class Studio(QObject):
         self.controller.refresh_theme(is_dark())
 
     def _on_loaded(self, stage: str) -> None:
-        if self._closed:
-            return
         log.info("loaded: %s", stage)
         if stage == "core":
             self._fill_presets()
@@ -112,8 +108,6 @@ class Studio(QObject):
             self.controller.charts_ready()
 
     def _on_failed(self, stage: str, text: str, details: str) -> None:
-        if self._closed:
-            return
         if stage == "views":
             self.window.area.placeholder.set_text("The 3D view could not be loaded.", waiting=False)
         if stage == "charts":

@@ -8,7 +8,7 @@ import threading
 import traceback
 from collections.abc import Mapping, Sequence
 
-from PySide6.QtCore import QObject, Signal, Slot
+from PySide6.QtCore import QObject, Qt, Signal, Slot
 
 STAGES: Mapping[str, tuple[str, ...]] = {
     "core": ("gearstudio.validation", "gearstudio.theory.cones", "gearstudio.project"),
@@ -28,7 +28,7 @@ log = logging.getLogger(__name__)
 
 
 class Loader(QObject):
-    """Imports modules in stages.
+    """Imports modules in stages; its signals come in the thread that it lives in.
 
     Signals
     -------
@@ -40,12 +40,16 @@ class Loader(QObject):
 
     loaded = Signal(str)
     failed = Signal(str, str, str)
+    _imported = Signal(str)
+    _broke = Signal(str, str, str)
 
     def __init__(self, stages: Mapping[str, Sequence[str]] = STAGES, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._stages = stages
         self._thread = threading.Thread(target=self._run, name="imports", daemon=True)
         self._stop = threading.Event()
+        self._imported.connect(self._on_imported, Qt.ConnectionType.QueuedConnection)
+        self._broke.connect(self._on_broke, Qt.ConnectionType.QueuedConnection)
 
     @Slot()
     def start(self) -> None:
@@ -53,7 +57,7 @@ class Loader(QObject):
         self._thread.start()
 
     def stop(self) -> None:
-        """Ask it to end after the module it is at, and wait for that; a signal may still be on its way."""
+        """Ask it to end after the module it is at, and wait for that; no signal comes afterwards."""
         self._stop.set()
         if self._thread.is_alive():
             self._thread.join()
@@ -67,7 +71,16 @@ class Loader(QObject):
                     importlib.import_module(module)
             except Exception as error:
                 log.exception("importing %s failed", stage)
-                self.failed.emit(stage, f"{type(error).__name__}: {error}", traceback.format_exc())
+                self._broke.emit(stage, f"{type(error).__name__}: {error}", traceback.format_exc())
                 continue
-            if not self._stop.is_set():
-                self.loaded.emit(stage)
+            self._imported.emit(stage)
+
+    @Slot(str)
+    def _on_imported(self, stage: str) -> None:
+        if not self._stop.is_set():
+            self.loaded.emit(stage)
+
+    @Slot(str, str, str)
+    def _on_broke(self, stage: str, text: str, details: str) -> None:
+        if not self._stop.is_set():
+            self.failed.emit(stage, text, details)

@@ -1,0 +1,47 @@
+"""Importing in a thread: stages in order, failures in words, and silence after the end."""
+
+from __future__ import annotations
+
+import threading
+
+import pytest
+
+from ui.loading import Loader
+
+
+@pytest.fixture
+def heard() -> list[tuple[str, ...]]:
+    return []
+
+
+def listen(loader: Loader, heard: list[tuple[str, ...]]) -> None:
+    def note(*said: str) -> None:
+        assert threading.current_thread() is threading.main_thread()
+        heard.append(said)
+
+    loader.loaded.connect(note)
+    loader.failed.connect(note)
+
+
+def test_stages_come_in_order_and_a_failed_one_stops_no_other(qtbot, heard) -> None:
+    loader = Loader({"first": ("json",), "broken": ("no_such_module",), "last": ("csv", "json")})
+    listen(loader, heard)
+    loader.start()
+    qtbot.waitUntil(lambda: len(heard) == 3, timeout=5000)
+    assert heard[0] == ("first",) and heard[2] == ("last",)
+    assert heard[1][0] == "broken" and "no_such_module" in heard[1][1] and "Traceback" in heard[1][2]
+
+
+def test_nothing_is_said_after_stopping(qtbot, heard) -> None:
+    loader = Loader({"first": ("json",), "second": ("csv",)})
+    listen(loader, heard)
+    loader.start()
+    loader.stop()
+    qtbot.wait(100)
+    assert heard == []
+
+
+def test_stopping_before_the_start_is_harmless(heard) -> None:
+    loader = Loader({"first": ("json",)})
+    loader.stop()
+    assert not loader._thread.is_alive()
