@@ -7,7 +7,9 @@ from collections.abc import Callable, Mapping
 from PySide6.QtWidgets import QWidget
 
 from ui.analysis.charts_page import ChartsPage
+from ui.analysis.datasheet_page import DatasheetPage
 
 FACTORIES: Mapping[str, Callable[[], QWidget]] = {
     "charts": ChartsPage,
+    "datasheet": DatasheetPage,
 }

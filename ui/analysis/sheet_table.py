@@ -1,0 +1,170 @@
+"""The geometry data sheet as a table: grouped rows, both members side by side."""
+
+from __future__ import annotations
+
+import re
+from html import escape
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QModelIndex, Qt, Signal
+from PySide6.QtGui import QColor, QFont, QPainter, QStaticText
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QHeaderView,
+    QStyle,
+    QStyledItemDelegate,
+    QStyleOptionViewItem,
+    QTableWidget,
+    QTableWidgetItem,
+    QVBoxLayout,
+    QWidget,
+)
+
+from ui.formatting import MINUS
+from ui.theme import tokens
+
+if TYPE_CHECKING:
+    from gearstudio.analysis.datasheet import DataSheet, Quantity
+
+RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
+HEADS = ("Quantity", "Symbol", "Pinion", "Wheel", "Unit")
+
+
+def lowered(symbol: str) -> str:
+    """A symbol or formula as rich text: all that follows an underscore is an index."""
+    numbered = re.sub(r"(?<!\w)([^\W\d_])([12])(?!\w)", r"\1<sub>\2</sub>", escape(symbol))
+    return re.sub(r"_(\w+)", r"<sub>\1</sub>", numbered)
+
+
+class IndexDelegate(QStyledItemDelegate):
+    """Paints a symbol with its index below the line."""
+
+    def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: QModelIndex) -> None:
+        self.initStyleOption(option, index)
+        symbol, option.text = option.text, ""
+        option.widget.style().drawControl(QStyle.ControlElement.CE_ItemViewItem, option, painter, option.widget)
+        text = QStaticText(f"<i>{lowered(symbol)}</i>")
+        text.setTextFormat(Qt.TextFormat.RichText)
+        text.prepare(font=option.font)
+        painter.setPen(option.palette.text().color())
+        painter.setFont(option.font)
+        painter.drawStaticText(
+            option.rect.left() + 7, round(option.rect.center().y() + 1 - option.fontMetrics.height() / 2), text
+        )
+
+
+def quiet_table(heads: tuple[str, ...], widths: tuple[int, ...], name: str) -> QTableWidget:
+    """A read-only table; the first column takes what room is left by the others."""
+    table = QTableWidget(0, len(heads))
+    table.setHorizontalHeaderLabels(list(heads))
+    table.verticalHeader().hide()
+    table.verticalHeader().setDefaultSectionSize(24)
+    table.setShowGrid(False)
+    table.setAlternatingRowColors(True)
+    table.setWordWrap(False)
+    table.setTabKeyNavigation(False)
+    table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+    table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
+    table.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
+    table.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+    table.setAccessibleName(name)
+    header = table.horizontalHeader()
+    header.setHighlightSections(False)
+    header.setSectionResizeMode(0, QHeaderView.ResizeMode.Stretch)
+    table.horizontalHeaderItem(0).setTextAlignment(LEFT)
+    for column, width in enumerate(widths, start=1):
+        header.setSectionResizeMode(column, QHeaderView.ResizeMode.Fixed)
+        table.setColumnWidth(column, width)
+    return table
+
+
+def cell(text: str, alignment: Qt.AlignmentFlag = LEFT, *, bold: bool = False) -> QTableWidgetItem:
+    """A cell of such a table."""
+    item = QTableWidgetItem(text)
+    item.setTextAlignment(alignment)
+    if bold:
+        font = QFont()
+        font.setBold(True)
+        item.setFont(font)
+    return item
+
+
+def add_heading(table: QTableWidget, row: int, text: str) -> None:
+    """A row that names the group of the rows below it; it cannot be chosen."""
+    item = cell(text, bold=True)
+    item.setFlags(Qt.ItemFlag.ItemIsEnabled)
+    item.setForeground(QColor(tokens().muted))
+    table.setItem(row, 0, item)
+    table.setSpan(row, 0, 1, table.columnCount())
+
+
+class SheetTable(QWidget):
+    """The table; a change of the design changes its numbers and leaves the chosen row.
+
+    Signals
+    -------
+    line_chosen(object)
+        tuple of Quantity: of the pair, or of pinion and wheel.
+    """
+
+    line_chosen = Signal(object)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.table = quiet_table(HEADS, (74, 92, 92, 44), "Geometry data sheet")
+        for column in (2, 3):
+            self.table.horizontalHeaderItem(column).setTextAlignment(RIGHT)
+        for column in (1, 4):
+            self.table.horizontalHeaderItem(column).setTextAlignment(LEFT)
+        self.table.setItemDelegateForColumn(1, IndexDelegate(self.table))
+        self.table.currentCellChanged.connect(lambda row, *_: self._tell(row))
+        self._lines: dict[int, tuple[Quantity, ...]] = {}
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.addWidget(self.table)
+
+    def show_sheet(self, sheet: DataSheet) -> None:
+        """Fill in the values."""
+        lines = sheet.lines()
+        if [line[0].key for line in lines] != [line[0].key for line in self._lines.values()]:
+            self._arrange(lines)
+        for row, line in zip(self._lines, lines, strict=True):
+            self._lines[row] = line
+            for column, quantity in enumerate(line, start=2):
+                self.table.item(row, column).setText(quantity.text.replace("-", MINUS))
+        if self.table.currentRow() in self._lines:
+            self._tell(self.table.currentRow())
+        else:
+            self.table.selectRow(next(iter(self._lines)))
+
+    def choose(self, key: str) -> None:
+        """Go to the row of a quantity."""
+        for row, line in self._lines.items():
+            if line[0].key == key:
+                self.table.selectRow(row)
+                self.table.scrollToItem(self.table.item(row, 0))
+
+    def _arrange(self, lines: tuple[tuple[Quantity, ...], ...]) -> None:
+        self.table.clearSpans()
+        self._lines, row, group = {}, 0, ""
+        self.table.setRowCount(len(lines) + len({line[0].group for line in lines}))
+        for line in lines:
+            first = line[0]
+            if first.group != group:
+                group = first.group
+                add_heading(self.table, row, group)
+                row += 1
+            texts = (first.name, first.symbol, "", "", first.unit)
+            for column, text in enumerate(texts):
+                self.table.setItem(row, column, cell(text, RIGHT if column in (2, 3) else LEFT))
+            self.table.item(row, 0).setToolTip(first.name)
+            if len(line) == 1:
+                self.table.setSpan(row, 2, 1, 2)
+                self.table.item(row, 2).setTextAlignment(Qt.AlignmentFlag.AlignCenter)
+            self._lines[row] = line
+            row += 1
+
+    def _tell(self, row: int) -> None:
+        if row in self._lines:
+            self.line_chosen.emit(self._lines[row])
