@@ -70,10 +70,10 @@ class Fillet:
         """From the right-angled spherical triangle of centre, foot and axis."""
         if self.on_meridian:
             return self.centre_azimuth - float(np.arcsin(np.sin(self.radius) / np.sin(self.centre_angle)))
-        cosine = (np.cos(self.radius) - np.cos(self.centre_angle) * np.cos(self.foot_angle)) / (
-            np.sin(self.centre_angle) * np.sin(self.foot_angle)
-        )
-        return self.centre_azimuth - float(np.arccos(np.clip(cosine, -1.0, 1.0)))
+        rise = self.centre_angle - self.foot_angle
+        square = np.sin((self.radius + rise) / 2) * np.sin((self.radius - rise) / 2)
+        square /= np.sin(self.centre_angle) * np.sin(self.foot_angle)
+        return self.centre_azimuth - 2 * float(np.arcsin(np.sqrt(np.clip(square, 0.0, 1.0))))
 
 
 @dataclass(frozen=True)
