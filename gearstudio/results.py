@@ -9,9 +9,12 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from gearstudio.errors import FileError
 from gearstudio.nurbs import NurbsSurface
 
 Floats = NDArray[np.float64]
+
+_VOLUME_ERROR = 1e-4
 CurveKind = Literal["position", "section", "guide", "u_line", "v_line", "points"]
 
 
@@ -144,3 +147,84 @@ class SolidResult:
     properties: MassProperties
     box: Floats
     seconds: float
+
+
+@dataclass(frozen=True)
+class Mesh:
+    """Closed triangles by group of faces (``concave``, ``convex``, ``fillet``, ``root``, ``tip``, ``body``).
+
+    Attributes
+    ----------
+    points : ndarray, shape (n, 3)
+        [mm]
+    groups : mapping of name to ndarray, shape (m, 3)
+        Indices of corners, anticlockwise seen from outside.
+    """
+
+    points: Floats
+    groups: Mapping[str, NDArray[np.int64]]
+
+    @property
+    def triangles(self) -> NDArray[np.int64]:
+        """All triangles, shape (m, 3)."""
+        return np.concatenate(list(self.groups.values()))
+
+    @property
+    def volume(self) -> float:
+        """Enclosed [mm^3]; negative when the triangles look inward."""
+        a, b, c = (self.points[self.triangles[:, k]] for k in range(3))
+        return float(np.einsum("ij,ij->", a, np.cross(b, c)) / 6)
+
+    @property
+    def is_closed(self) -> bool:
+        """Whether every edge is used exactly twice, once in each direction: watertight and manifold."""
+        t, n = self.triangles, len(self.points)
+        forward = np.concatenate([t[:, [0, 1]], t[:, [1, 2]], t[:, [2, 0]]]) @ np.array([n, 1])
+        backward = np.concatenate([t[:, [1, 0]], t[:, [2, 1]], t[:, [0, 2]]]) @ np.array([n, 1])
+        forward.sort()
+        backward.sort()
+        return bool(np.all(np.diff(forward) > 0) and np.array_equal(forward, backward))
+
+
+@dataclass(frozen=True)
+class FileCheck:
+    """What was found in a file of solids or triangles when it was read back.
+
+    Attributes
+    ----------
+    format : str
+    valid, closed : bool
+        By the kernel's full check; for triangles, by counting their edges.
+    solids, faces : int
+        Faces, or triangles.
+    volume : float
+        [mm^3]
+    volume_error : float
+        Relative to what was written.
+    box_error : float
+        Largest difference of the bounding boxes [mm].
+    """
+
+    format: str
+    valid: bool
+    closed: bool
+    solids: int
+    faces: int
+    volume: float
+    volume_error: float
+    box_error: float
+
+    def require(self, path: object, solids: int) -> None:
+        """Raise FileError unless the file holds so many valid closed solids of the right size."""
+        if self.solids != solids:
+            raise FileError(path, f"{self.solids} solids instead of {solids} were found on reading the file back")
+        if not (self.valid and self.closed):
+            raise FileError(path, "the solid is not valid after reading the file back")
+        if not self.volume_error <= _VOLUME_ERROR:
+            raise FileError(path, f"the volume differs by {self.volume_error:.2g} after reading the file back")
+
+    def __str__(self) -> str:
+        return (
+            f"{self.solids} closed valid solid{'s' if self.solids > 1 else ''}, {self.faces} faces, "
+            f"{self.volume:.6g} mm³ (relative difference {self.volume_error:.1e})"
+        )

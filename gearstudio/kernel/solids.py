@@ -18,6 +18,8 @@ from OCP.TopoDS import TopoDS_Shape
 
 Floats = NDArray[np.float64]
 
+_INTEGRATION_ERROR = 1e-8
+
 
 @dataclass(frozen=True)
 class SolidCheck:
@@ -53,7 +55,7 @@ class SolidCheck:
 def check_solid(shape: TopoDS_Shape) -> SolidCheck:
     """Run the kernel's full check and integrate volume, area and inertia."""
     volume, area = GProp_GProps(), GProp_GProps()
-    BRepGProp.VolumeProperties_s(shape, volume)
+    BRepGProp.VolumeProperties_s(shape, volume, _INTEGRATION_ERROR, False, False)
     BRepGProp.SurfaceProperties_s(shape, area)
     centre, matrix = volume.CentreOfMass(), volume.MatrixOfInertia()
     shells = _parts(shape, TopAbs_ShapeEnum.TopAbs_SHELL)

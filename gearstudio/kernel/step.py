@@ -24,6 +24,7 @@ from OCP.XCAFDoc import XCAFDoc_DocumentTool
 
 from gearstudio.errors import FileError
 from gearstudio.kernel.convert import to_face, to_record
+from gearstudio.kernel.document import set_name
 from gearstudio.nurbs import NurbsSurface
 
 _SCHEMA_AP242 = 5
@@ -46,7 +47,7 @@ def write_flanks_step(path: Path, surfaces: Mapping[str, NurbsSurface], name: st
     FileError
         The kernel could not write the file.
     """
-    _settle()
+    settle()
     document = TDocStd_Document(TCollection_ExtendedString("XmlXCAF"))
     shapes = XCAFDoc_DocumentTool.ShapeTool_s(document.Main())
     part, builder = TopoDS_Compound(), BRep_Builder()
@@ -55,9 +56,9 @@ def write_flanks_step(path: Path, surfaces: Mapping[str, NurbsSurface], name: st
     for face in faces.values():
         builder.Add(part, face)
     label = shapes.AddShape(part, False)
-    _name(label, name)
+    set_name(label, name)
     for face_name, face in faces.items():
-        _name(shapes.AddSubShape(label, face), face_name)
+        set_name(shapes.AddSubShape(label, face), face_name)
     writer = STEPCAFControl_Writer()
     writer.SetNameMode(True)
     writer.Transfer(document, STEPControl_StepModelType.STEPControl_AsIs)
@@ -73,7 +74,7 @@ def read_flanks_step(path: Path) -> dict[str, NurbsSurface]:
     FileError
         Not a STEP file, or a face that is not valid or no B-spline.
     """
-    _settle()
+    settle()
     reader = STEPCAFControl_Reader()
     reader.SetNameMode(True)
     if reader.ReadFile(str(path)) != IFSelect_ReturnStatus.IFSelect_RetDone:
@@ -97,7 +98,7 @@ def read_flanks_step(path: Path) -> dict[str, NurbsSurface]:
 
 
 @cache
-def _settle() -> None:
+def settle() -> None:
     """The kernel's process-wide settings for STEP, and no chatter on standard output."""
     Message.DefaultMessenger_s().RemovePrinters(Message_PrinterOStream.get_type_descriptor_s())
     STEPCAFControl_Controller.Init_s()
@@ -105,10 +106,6 @@ def _settle() -> None:
     Interface_Static.SetCVal_s("write.step.unit", "MM")
     Interface_Static.SetIVal_s("write.stepcaf.subshapes.name", 1)
     Interface_Static.SetIVal_s("read.stepcaf.subshapes.name", 1)
-
-
-def _name(label: TDF_Label, text: str) -> None:
-    TDataStd_Name.Set_s(label, TCollection_ExtendedString(text, True))
 
 
 def _read_name(label: TDF_Label) -> str:

@@ -76,8 +76,13 @@ def build_tooth(member: MemberGeometry, method_id: str, variant: Variant, target
     surfaces = {side: trimmed(flanks[side], built[side].surface, goal) for side in (-1, 1)}
     for side in (-1, 1):
         _check_foot(profile, surfaces[side])
-    faces = _Grafting(profile, surfaces, SAFETY * target.tolerance).faces()
+    faces = graft(profile, surfaces, SAFETY * target.tolerance)
     return Tooth(member, profile, faces, {flanks[side].name: built[side] for side in (-1, 1)})
+
+
+def graft(profile: ToothProfile, flanks: dict[int, NurbsSurface], goal: float) -> tuple[ToothFace, ...]:
+    """All faces of a tooth from its flanks by side, the others fitted within a goal [mm]."""
+    return _Grafting(profile, flanks, goal).faces()
 
 
 def profile_flank(profile: ToothProfile, side: int) -> InvoluteFlank:
