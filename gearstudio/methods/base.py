@@ -130,12 +130,11 @@ class Refinement:
             if grown == counts:
                 break
             counts = grown
-        reached = ", ".join(f"{error * 1e3:.3g}" for error in errors)
         raise ModellingError(
             self.method,
             "refinement",
-            f"{self.goal / SAFETY * 1e3:.3g} µm was not reached (got {reached} µm with {counts}); "
-            "raise methods.tolerance_um",
+            f"{sum(errors) * 1e3:.3g} µm remained with {' x '.join(map(str, counts))} nodes where a step of the "
+            f"construction needs {self.goal * 1e3:.3g} µm; raise methods.tolerance_um",
         )
 
     def _grown(self, count: int, error: float, order: int) -> int:
