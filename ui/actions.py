@@ -15,6 +15,11 @@ from ui.session import ALL
 from ui.theme import icon
 
 Keys = QKeySequence.StandardKey
+MODES = (
+    ("flanks", "Flanks of one tooth", "Alt+1", "view-flank"),
+    ("gear", "Whole gear", "Alt+2", "gear"),
+    ("pair", "Pair in mesh", "Alt+3", "pair"),
+)
 VIEW_NAMES = (
     ("tooth", "Tooth", "F2"),
     ("concave", "Concave flank", "F3"),
@@ -53,6 +58,8 @@ COMMANDS = (
     Command("redo", "&Redo", "Do again what was taken back", Keys.Redo, "redo"),
     Command("copy_table", "&Copy comparison", "Copy the comparison table as text"),
     Command("copy_derived", "Copy &derived values", "Copy the derived values as text"),
+    Command("build_gear", "Build &gear", "Build the whole gear as a solid and show it", "Ctrl+G"),
+    Command("build_pair", "Build &pair", "Build both gears and show them in mesh", "Ctrl+Shift+G"),
     Command("rebuild", "&Rebuild", "Build every variant again", "F5", "rebuild"),
     Command("cancel", "&Cancel", "Stop the work in progress", "Esc", "cancel"),
     Command("restart", "Re&start CAD kernel", "End the CAD process and start a new one"),
@@ -76,6 +83,13 @@ class Actions(QObject):
         self.methods = self._choices(methods)
         self.variants = self._choices([(v, VARIANT_TITLES[v], f"Ctrl+Shift+{i}") for i, v in enumerate(VARIANTS, 1)])
         self.flanks = self._choices([(f, f"{f.capitalize()} flank", "") for f in ("concave", "convex")])
+        self.modes = self._choices([mode[:3] for mode in MODES])
+        for action, (_, _, _, name) in zip(self.modes.actions(), MODES, strict=True):
+            self._icons[action] = name
+            action.setIcon(icon(name))
+            action.setToolTip(f"{action.text()} ({action.shortcut().toString()})")
+            action.setIconVisibleInMenu(False)
+        check(self.modes, "flanks")
         self.schemes = self._choices([("system", "As the system", ""), ("light", "Light", ""), ("dark", "Dark", "")])
         check(self.flanks, "concave")
         check(self.schemes, "system")
@@ -84,7 +98,7 @@ class Actions(QObject):
         self.layers = QMenu("&Layers", window)
         self._build_menus(window)
         window.addActions(list(self.by_name.values()))
-        for group in (self.members, self.methods, self.variants, self.views):
+        for group in (self.members, self.methods, self.variants, self.views, self.modes):
             window.addActions(group.actions())
 
     def __getitem__(self, name: str) -> QAction:
@@ -99,6 +113,10 @@ class Actions(QObject):
         """Tick what is shown, without announcing it."""
         for group, chosen in ((self.members, member), (self.methods, method), (self.variants, variant)):
             check(group, chosen)
+
+    def show_mode(self, mode: str) -> None:
+        """Tick the mode, without announcing it."""
+        check(self.modes, mode)
 
     def fill_layers(self) -> None:
         """Make the list of layers, once the views are loaded."""
@@ -118,6 +136,8 @@ class Actions(QObject):
         """Put the usual commands on a toolbar."""
         for name in ("new", "open", "save", "", "undo", "redo", "", "rebuild", "cancel", "", "screenshot"):
             toolbar.addAction(self[name]) if name else toolbar.addSeparator()
+        toolbar.addSeparator()
+        toolbar.addActions(self.modes.actions())
 
     def _make(self, command: Command) -> QAction:
         action = QAction(command.text, self)
@@ -150,6 +170,8 @@ class Actions(QObject):
         for title, items in plan:
             _fill(bar.addMenu(title), items, self)
         view = bar.addMenu("&View")
+        view.addActions(self.modes.actions())
+        view.addSeparator()
         view.addMenu(self.layers)
         _submenu(view, "&Generating line on", self.flanks)
         view.addSeparator()
@@ -159,7 +181,7 @@ class Actions(QObject):
         _submenu(view, "&Theme", self.schemes)
         view.addAction(self["reset_layout"])
         model = bar.addMenu("&Model")
-        _fill(model, ("rebuild", "cancel", "restart"), self)
+        _fill(model, ("build_gear", "build_pair", "", "rebuild", "cancel", "restart"), self)
         for group in (self.members, self.methods, self.variants):
             model.addSeparator()
             model.addActions(group.actions())

@@ -226,7 +226,9 @@ class ActorStore:
         apply_style(actor.GetProperty(), layer, self.dark, self.pixel_ratio)
         if layer.style.inside is not None:
             inside = actor.GetBackfaceProperty() or vtkProperty()
-            inside.SetLighting(False)
+            inside.SetAmbient(1.0)
+            inside.SetDiffuse(0.0)
+            inside.SetSpecular(0.0)
             inside.SetColor(*_rgb(layer.style.inside.dark if self.dark else layer.style.inside.light))
             actor.SetBackfaceProperty(inside)
         actor.SetForceTranslucent(layer.style.opacity < 1)

@@ -116,12 +116,13 @@ class Studio(QObject):
 
     def _make_views(self) -> None:
         from ui.color_bar import ColorBar
+        from ui.mesh_bar import MeshBar
         from ui.roll_slider import RollSlider
         from ui.view_grid import ViewGrid
 
         grid = ViewGrid()
         grid.set_theme(is_dark())
-        self.window.area.adopt(grid, ColorBar(), RollSlider())
+        self.window.area.adopt(grid, ColorBar(), RollSlider(), MeshBar())
         self.controller.views_ready()
 
     def _fill_presets(self) -> None:

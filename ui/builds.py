@@ -125,7 +125,8 @@ class Builds(QObject):
     def _announce(self, job: Job, fraction: float) -> None:
         key = self._key(job)
         if key is None:
-            self.work_changed.emit(f"Exporting {job.label}", fraction)
+            solid = f"Building the {getattr(job, 'member', 'gear')} as a solid"
+            self.work_changed.emit(solid if job.purpose == "solid" else f"Exporting {job.label}", fraction)
             return
         done = self._requested - len(self._awaited)
         text = f"Building {METHOD_TITLES[key.method]}, {VARIANT_TITLES[key.variant].lower()}"

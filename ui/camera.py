@@ -15,6 +15,7 @@ ZOOM_RANGE = (1e-3, 20.0)
 """Smallest and largest half height of the view, of the radius of what there is."""
 _FILL_TOOTH, _FILL_ALL = 0.74, 0.90
 _ISO = np.array([0.82, -0.47, -0.62])
+_OVER_THE_MESH = np.array([0.50, -0.74, -0.45])
 
 
 def unit(vector: ArrayLike) -> Floats:
@@ -134,9 +135,10 @@ class Focus:
         return moved < 0.6 * other.tooth_radius and 0.6 < self.tooth_radius / other.tooth_radius < 1.6
 
 
-VIEWS = ("tooth", "concave", "convex", "flank", "iso", "front", "back", "left", "right", "top", "bottom", "fit")
+VIEWS = ("pair", "tooth", "concave", "convex", "flank", "iso", "front", "back", "left", "right", "top", "bottom", "fit")
 _DIRECTIONS = {
     "iso": _ISO,
+    "pair": _OVER_THE_MESH,
     "front": np.array([1.0, 0.0, 0.0]),
     "back": np.array([-1.0, 0.0, 0.0]),
     "right": np.array([0.0, 1.0, 0.0]),

@@ -12,6 +12,7 @@ from ui.applicability import derived_hints, idle_fields
 from ui.builds import Builds
 from ui.presenter import Presenter, view_title
 from ui.session import Key, Session
+from ui.solid_mode import SolidMode
 from ui.undo import History
 
 if TYPE_CHECKING:
@@ -44,6 +45,7 @@ class Controller(QObject):
         self.builds = Builds(session, self)
         self.presenter = Presenter(session, window.area, self)
         self.analysis = AnalysisPresenter(session, window.analysis, self)
+        self.solid_mode = SolidMode(session, window, self.presenter, self)
         self.runner: JobRunner | None = None
         self._connect_form()
         self._connect_selection()
@@ -68,6 +70,7 @@ class Controller(QObject):
         self.runner = runner
         runner.worker_state_changed.connect(self._on_worker_state_changed)
         self.builds.use(runner)
+        self.solid_mode.use_runner(runner)
         runner.start()
         self.builds.build_missing()
 
@@ -86,6 +89,7 @@ class Controller(QObject):
         self._show_layers(grid.visible_layers)
         self.window.commands.views.triggered.connect(lambda action: grid.set_view(action.data()))
         self.presenter.redraw()
+        self.solid_mode.views_ready()
 
     def charts_ready(self) -> None:
         """The charts' library is loaded."""
@@ -100,6 +104,7 @@ class Controller(QObject):
     def close(self) -> None:
         """End the work in progress and the CAD process."""
         self.builds.pause.cancel()
+        self.solid_mode.close()
         if self.runner is not None:
             self.runner.close()
 
@@ -125,6 +130,7 @@ class Controller(QObject):
         commands.methods.triggered.connect(lambda action: session.select(method=action.data()))
         commands.variants.triggered.connect(lambda action: session.select(variant=action.data()))
         commands.flanks.triggered.connect(lambda action: self.presenter.set_flank(action.data()))
+        commands.modes.triggered.connect(lambda action: self.solid_mode.set_mode(action.data()))
         session.selection_changed.connect(self._on_selection_changed)
 
     def _connect_results(self) -> None:
@@ -147,6 +153,8 @@ class Controller(QObject):
             "quit": window.close,
             "undo": lambda: self._restore(self.history.undo()),
             "redo": lambda: self._restore(self.history.redo()),
+            "build_gear": lambda: self.solid_mode.build("gear"),
+            "build_pair": lambda: self.solid_mode.build("pair"),
             "rebuild": self.builds.rebuild,
             "cancel": self._cancel,
             "restart": self._restart,
@@ -258,10 +266,14 @@ class Controller(QObject):
             self.window.messages.clear("worker")
 
     def _on_export_done(self, job: Job, files: Any) -> None:
+        if job.purpose != "export":
+            return
         text = "Wrote " + ", ".join(f"{file.path} ({file.size / 1000:.0f} kB)" for file in files)
         self.window.messages.show_message("info", text, topic="export")
 
     def _on_export_failed(self, job: Job, text: str, details: str) -> None:
+        if job.purpose != "export":
+            return
         self.window.messages.show_message("error", f"The export failed: {text}", details, topic="export")
 
     def _on_hovered(self, hover: Any) -> None:

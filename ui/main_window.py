@@ -18,14 +18,15 @@ from ui.messages import MessageBar
 from ui.method_bar import MethodBar
 from ui.parameter_form import ParameterForm
 from ui.session import Session
+from ui.solid_panel import SolidPanel
 from ui.status import Status
 from ui.theme import HERE, refresh_icons
 from ui.view_area import ViewArea
 
-LAYOUT_VERSION = 2
+LAYOUT_VERSION = 3
 ROOMY_WIDTH = 1500
 """From this width on the list of layers is open from the start."""
-FORM_WIDTH, LAYERS_WIDTH = 356, 252
+FORM_WIDTH, LAYERS_WIDTH, SOLID_WIDTH = 356, 252, 292
 ANALYSIS_SHARE, ANALYSIS_LEAST = 0.46, 330
 """Height of the analysis below the views while one of its charts is in sight."""
 LEFT = Qt.DockWidgetArea.LeftDockWidgetArea
@@ -56,7 +57,8 @@ class MainWindow(QMainWindow):
         super().__init__()
         self.may_close: Callable[[], bool] = lambda: True
         self._settings = settings
-        self._painted = self._closed = False
+        self._painted = self._closed = self._solid_mode = False
+        self._layers_shown = True
         self.setObjectName("main_window")
         self.setWindowIcon(QIcon(str(HERE / "icons" / "gearstudio.svg")))
         self.setAcceptDrops(True)
@@ -66,6 +68,7 @@ class MainWindow(QMainWindow):
         self.derived = DerivedPanel()
         self.area = ViewArea()
         self.layer_panel = LayerPanel()
+        self.solid_panel = SolidPanel()
         self.table = ComparisonTable(session)
         self.analysis = AnalysisArea(self.table)
         self.method_bar = MethodBar()
@@ -107,8 +110,26 @@ class MainWindow(QMainWindow):
                 self.restoreGeometry(geometry)
                 self.restoreState(layout, LAYOUT_VERSION)
 
+        self.show_solid_mode(False)
+
+    def show_solid_mode(self, solid: bool) -> None:
+        """The panel of solids in the place of the layers, at full height, or the layers again."""
+        layers = list(self._docks)[2]
+        if solid == self._solid_mode:
+            return
+        self._solid_mode = solid
+        if solid:
+            self._layers_shown = not layers.isHidden()
+        layers.setVisible(self._layers_shown and not solid)
+        self.setCorner(Qt.Corner.BottomRightCorner, RIGHT if solid else BOTTOM)
+        self._solid_dock.setVisible(solid)
+        if solid:
+            self.resizeDocks([self._solid_dock], [SOLID_WIDTH], Qt.Orientation.Horizontal)
+
     def reset_layout(self) -> None:
         """Put every panel back in its place."""
+        solid = self._solid_mode
+        self.show_solid_mode(False)
         for dock, area in self._docks.items():
             dock.setFloating(False)
             self.addDockWidget(area, dock)
@@ -120,6 +141,8 @@ class MainWindow(QMainWindow):
         self.resizeDocks([parameters, layers], [FORM_WIDTH, LAYERS_WIDTH], Qt.Orientation.Horizontal)
         self.analysis.expand.setChecked(False)
         self._fit_analysis()
+        self._layers_shown = not layers.isHidden()
+        self.show_solid_mode(solid)
 
     def _fit_analysis(self) -> None:
         """Room for what is in sight below the views: the table as it is, a chart as large as it needs."""
@@ -153,6 +176,7 @@ class MainWindow(QMainWindow):
             event.ignore()
             return
         self._closed = True
+        self.show_solid_mode(False)
         if self._settings is not None:
             self._settings.setValue("geometry", self.saveGeometry())
             self._settings.setValue("layout", self.saveState(LAYOUT_VERSION))
@@ -184,6 +208,10 @@ class MainWindow(QMainWindow):
             self._dock("Layers", self.layer_panel): RIGHT,
             self._dock("Analysis", self.analysis): BOTTOM,
         }
+        self._solid_dock = self._dock("Solid", self.solid_panel)
+        self._solid_dock.setFeatures(QDockWidget.DockWidgetFeature.NoDockWidgetFeatures)
+        self.addDockWidget(RIGHT, self._solid_dock)
+        self._solid_dock.hide()
         analysis = list(self._docks)[-1]
         analysis.setTitleBarWidget(self.analysis.bar)
         self.analysis.tab_chosen.connect(lambda _tab: self._fit_analysis())

@@ -36,12 +36,13 @@ def view_subtitle(session: Session, key: Key) -> str:
 
 
 class Presenter(QObject):
-    """Feeds a view area from a session; it does nothing until the views are there."""
+    """Feeds a view area from a session; it does nothing until the views are there, nor while it is not ``active``."""
 
     def __init__(self, session: Session, area: ViewArea, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._session = session
         self._area = area
+        self.active = True
         self._roll = 1.0
         self._flank = "concave"
         self._rolled: tuple[tuple[MemberGeometry, float, str], tuple[Layer, ...]] | None = None
@@ -64,7 +65,7 @@ class Presenter(QObject):
         """Show the session as it is now."""
         self._redraw.stop()
         grid, session = self._area.grid, self._session
-        if grid is None or session.pair is None:
+        if grid is None or session.pair is None or not self.active:
             return
         from ui.layers import Panel
         from ui.scene import member_layers
@@ -84,7 +85,7 @@ class Presenter(QObject):
     def set_roll(self, roll: float) -> None:
         """Roll the tangent plane to a place in [0, 1]."""
         self._roll = roll
-        if self._area.grid is not None and self._session.pair is not None:
+        if self.active and self._area.grid is not None and self._session.pair is not None:
             self._area.grid.update_layers(self._rolling(self._session.pair.member(self._session.member)))
 
     def set_flank(self, flank: str) -> None:

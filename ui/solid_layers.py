@@ -16,6 +16,7 @@ from ui.layers import SOLID, Ink, Layer, Style
 from ui.meshes import Mesh, placed
 from ui.section import Plane, filled, outline
 from ui.solid_scene import GearMesh
+from ui.tooth_mesh import context_layers
 
 Floats = NDArray[np.float64]
 Level = Literal["fine", "coarse"]
@@ -88,26 +89,36 @@ def gear_layers(gear: PlacedGear, options: SolidOptions) -> tuple[Layer, ...]:
     for level, mesh in levels:
         made += _surfaces(gear.member, level, mesh, options)
         if options.edges:
-            style = Style(_EDGE, width=1.2 if level == "fine" else 1.0, lift=2)
+            style = Style(_EDGE, width=1.2 if level == "fine" else 1.0, lift=4)
             name = f"{gear.member} edges {level}"
-            made.append(
-                Layer(SOLID, name, "lines", mesh.edges, style, mesh.segments, body=gear.member, level=level)
-            )
+            made.append(Layer(SOLID, name, "lines", mesh.edges, style, mesh.segments, body=gear.member, level=level))
     return tuple(made)
 
 
 def _surfaces(member: str, level: Level, mesh: GearMesh, options: SolidOptions) -> list[Layer]:
     paint = PAINTS[member]
     plain = Style(paint.body, gloss=0.22, inside=paint.cut)
-    flank = Style(_MAP if options.deviation else paint.flank, gloss=0.06 if options.deviation else 0.35, inside=paint.cut)
+    colored = Style(_MAP, gloss=0.06, inside=paint.cut)
+    flank = colored if options.deviation else Style(paint.flank, gloss=0.35, inside=paint.cut)
     made = []
     for role, part, style in (("flanks", mesh.flanks, flank), ("teeth", mesh.teeth, plain), ("body", mesh.body, plain)):
         scalars = mesh.deviation_um if role == "flanks" and options.deviation else None
         name = f"{member} {role} {level}"
-        made.append(
-            Layer(SOLID, name, "surface", part.points, style, part.cells, part.normals, scalars, member, level)
-        )
+        made.append(Layer(SOLID, name, "surface", part.points, style, part.cells, part.normals, scalars, member, level))
     return made
+
+
+def preview_layers(pair: PairGeometry, member: str, in_mesh: bool) -> tuple[Layer, ...]:
+    """The teeth of theory, in place of a solid that is still being built."""
+    matrix = base_placement(pair, member) if in_mesh else np.eye(3)
+    made = []
+    for layer in context_layers(pair.member(member)):
+        if (layer.layer_id, layer.part) in (("tooth", look.TOOTH_WHOLE), ("gear", "teeth")):
+            style = Style(PAINTS[member].body, gloss=0.1)
+            points, normals = layer.points @ matrix.T, layer.normals @ matrix.T
+            name = f"{member} preview {layer.layer_id}"
+            made.append(Layer(SOLID, name, "surface", points, style, layer.cells, normals, body=member))
+    return tuple(made)
 
 
 def cut_layers(gears: Sequence[PlacedGear], plane: Plane) -> tuple[Layer, ...]:
@@ -118,12 +129,12 @@ def cut_layers(gears: Sequence[PlacedGear], plane: Plane) -> tuple[Layer, ...]:
         if not len(segments):
             continue
         face = filled(segments, plane)
-        style = Style(PAINTS[gear.member].cut, flat=True, lift=0)
+        style = Style(PAINTS[gear.member].cut, flat=True, lift=5)
         made.append(
             Layer(SOLID, f"{gear.member} cut", "surface", face.points, style, face.cells, face.normals, level="fine")
         )
         lines = np.arange(2 * len(segments)).reshape(-1, 2)
-        edge = Style(look.INK, width=1.6, lift=2)
+        edge = Style(look.INK, width=1.6, lift=8)
         made.append(
             Layer(SOLID, f"{gear.member} cut edge", "lines", segments.reshape(-1, 3), edge, lines, level="fine")
         )

@@ -147,7 +147,8 @@ def _with_derivatives(surface: NurbsSurface, u: Floats, v: Floats) -> tuple[Floa
     bv, dv = (basis_matrix(v, surface.knots_v, surface.degree_v, order) for order in (0, 1))
     weights = np.ones(surface.poles.shape[:2]) if surface.weights is None else surface.weights
     poles = np.concatenate([surface.poles * weights[..., None], weights[..., None]], axis=-1)
-    value, by_u, by_v = (np.einsum("ai,ijk,bj->abk", a, poles, b, optimize=True) for a, b in ((bu, bv), (du, bv), (bu, dv)))
+    bases = ((bu, bv), (du, bv), (bu, dv))
+    value, by_u, by_v = (np.einsum("ai,ijk,bj->abk", a, poles, b, optimize=True) for a, b in bases)
     weight = value[..., 3:]
     points = value[..., :3] / weight
     return points, (by_u[..., :3] - by_u[..., 3:] * points) / weight, (by_v[..., :3] - by_v[..., 3:] * points) / weight
@@ -172,9 +173,7 @@ def _deviation(member: MemberGeometry, face: FaceResult, points: Floats) -> Floa
 # ---- ends and body ----------------------------------------------------------------------------------------
 
 
-def _body(
-    result: SolidResult, patches: list[_Patch], azimuths: Floats, tolerance: float
-) -> tuple[Mesh, list[Floats]]:
+def _body(result: SolidResult, patches: list[_Patch], azimuths: Floats, tolerance: float) -> tuple[Mesh, list[Floats]]:
     """End faces and turned faces, and the circles where they meet at an angle."""
     outline = result.outline
     step = 2 * np.sqrt(2 * tolerance / max(float(outline[:, 0].max()), tolerance))

@@ -15,7 +15,7 @@ from gearstudio.theory.cones import MemberGeometry
 from gearstudio.theory.flank import involute_flank
 from gearstudio.theory.involute import azimuth_from_arc, involute_azimuth, polar_angle
 from gearstudio.theory.profile import ToothProfile, tooth_profile
-from ui.grids import grid_normals, grid_triangles, on_cone, turned
+from ui.grids import grid_normals, grid_triangles, on_cone
 from ui.layers import GREY, TOOTH_BARED, TOOTH_WALLS, TOOTH_WHOLE, Layer, Style
 from ui.meshes import Mesh, copies, joined
 

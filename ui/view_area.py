@@ -13,6 +13,7 @@ from ui.theme import tokens
 
 if TYPE_CHECKING:
     from ui.color_bar import ColorBar
+    from ui.mesh_bar import MeshBar
     from ui.roll_slider import RollSlider
     from ui.view_grid import ViewGrid
 
@@ -72,6 +73,7 @@ class ViewArea(QWidget):
         self.grid: ViewGrid | None = None
         self.color_bar: ColorBar | None = None
         self.roll_slider: RollSlider | None = None
+        self.mesh_bar: MeshBar | None = None
         card = QFrame()
         card.setProperty("role", "card")
         self._stack = QStackedLayout()
@@ -89,19 +91,24 @@ class ViewArea(QWidget):
         layout.addWidget(card, 1)
         self.setMinimumSize(420, 240)
 
-    def adopt(self, grid: ViewGrid, color_bar: ColorBar, roll_slider: RollSlider) -> None:
+    def adopt(self, grid: ViewGrid, color_bar: ColorBar, roll_slider: RollSlider, mesh_bar: MeshBar) -> None:
         """Take the views in place of the placeholder."""
+        self.mesh_bar = mesh_bar
         self.grid, self.color_bar, self.roll_slider = grid, color_bar, roll_slider
         self._stack.addWidget(grid)
         self._stack.setCurrentWidget(grid)
         self.placeholder.stop()
         self._inside.addWidget(color_bar, 0, 1)
         self._inside.addWidget(roll_slider, 1, 0, 1, 2)
+        self._inside.addWidget(mesh_bar, 2, 0, 1, 2)
+        mesh_bar.hide()
 
     def close_views(self) -> None:
         """Let go of the renderer before the window goes; may be called twice."""
         self.placeholder.stop()
         if self.roll_slider is not None:
             self.roll_slider.pause()
+        if self.mesh_bar is not None:
+            self.mesh_bar.pause()
         if self.grid is not None:
             self.grid.close_views()

@@ -17,7 +17,7 @@ from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from ui import colormap
 from ui.actors import ActorStore
-from ui.camera import VIEWS, Focus, view
+from ui.camera import VIEWS, Camera, Focus, view
 from ui.layers import DEFAULT_VISIBLE, Layer, Panel, drawn
 from ui.picking import Hover, Picker, describe
 from ui.theme import DARK, LIGHT
@@ -70,6 +70,7 @@ class ViewGrid(QWidget):
         self.viewport.pointer_moved.connect(self._on_pointer_moved)
         self.viewport.pointer_left.connect(self._clear_hover)
         self.viewport.double_clicked.connect(self._on_double_clicked)
+        self.viewport.drawing.connect(self.store.set_coarse)
         self.set_theme(False)
 
     # ---- what is shown -------------------------------------------------------------------------------
@@ -172,6 +173,16 @@ class ViewGrid(QWidget):
             self.viewport.set_camera(view(name, focus, self.viewport.aspect, self.viewport.look))
             self._on_camera_changed()
         self.view_changed.emit(name)
+
+    def keep_view(self) -> tuple[Camera, str]:
+        """Where one looks from now, for `restore_view`."""
+        return self.viewport.look, self._view
+
+    def restore_view(self, kept: tuple[Camera, str]) -> None:
+        """Look from there again."""
+        look, self._view = kept
+        self.viewport.set_camera(look)
+        self._on_camera_changed()
 
     def set_parallel_projection(self, parallel: bool) -> None:
         """Without perspective, or with."""
@@ -318,9 +329,9 @@ def focus_of(panels: Sequence[Panel]) -> Focus | None:
     """What the panels let one look at; None when they show nothing."""
     layers = tuple({id(x): x for panel in panels for x in panel.layers if len(x.points)}.values())
     whole = tuple(x for x in layers if x.layer_id in _CONTEXT_IDS) or layers
-    around = np.concatenate([x.points for x in whole])
     if not whole:
         return None
+    around = np.concatenate([x.points for x in whole])
     flanks = {x.part: x for x in layers if x.layer_id in _FLANK_IDS and x.normals is not None}
     flanks |= {x.part: x for x in layers if x.layer_id == "theory_flank" and x.normals is not None}
     centre, radius = _sphere(whole)

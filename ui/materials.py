@@ -1,0 +1,84 @@
+"""What a gear may be made of, and what it weighs then."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from ui.formatting import fixed, seconds, significant
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from gearstudio.results import SolidResult
+
+CUSTOM = "Custom"
+KG_PER_MM3 = 1e-9
+"""Of a density of 1 kg/m³."""
+
+
+@dataclass(frozen=True)
+class Material:
+    """A material and its density [kg/m³]."""
+
+    name: str
+    density: float
+
+
+MATERIALS = (
+    Material("Steel", 7850.0),
+    Material("Cast iron", 7200.0),
+    Material("Bronze", 8800.0),
+    Material("Brass", 8500.0),
+    Material("Aluminium", 2700.0),
+    Material("POM", 1410.0),
+)
+
+
+@dataclass(frozen=True)
+class Property:
+    """A row of the table of properties: title, unit, a text for each solid, what it means."""
+
+    title: str
+    unit: str
+    texts: tuple[str, ...]
+    tip: str
+
+
+def properties(results: Sequence[SolidResult | None], density: float) -> tuple[Property, ...]:
+    """What there is to say of solids of a density [kg/m³]; one column for each, empty where there is none."""
+    weight = density * KG_PER_MM3
+
+    def row(title: str, unit: str, tip: str, read: object) -> Property:
+        return Property(title, unit, tuple("–" if r is None else read(r) for r in results), tip)  # type: ignore[operator]
+
+    def scaled(title: str, tip: str, units: tuple[tuple[str, float], ...], read: object) -> Property:
+        values = [0.0 if r is None else abs(read(r)) for r in results]  # type: ignore[operator]
+        unit, factor = _unit(max(values, default=0.0), units)
+        return row(title, unit, tip, lambda r: significant(factor * read(r), 4))  # type: ignore[operator]
+
+    inertias = (("g mm²", 1e3), ("kg mm²", 1.0), ("kg m²", 1e-6))
+    return (
+        row("Valid", "", "The kernel's full check of the solid", lambda r: "yes" if r.valid else "no"),
+        row("Closed", "", "One closed shell", lambda r: "yes" if r.closed else "no"),
+        row("Faces", "", "Number of faces of the solid", lambda r: str(r.face_count)),
+        scaled("Gap", "Largest between neighbouring faces", (("nm", 1e6), ("µm", 1e3)), lambda r: r.gap),
+        scaled("Volume", "Enclosed", (("mm³", 1.0), ("cm³", 1e-3), ("dm³", 1e-6)), lambda r: r.properties.volume),
+        scaled("Area", "Of the whole surface", (("mm²", 1.0), ("cm²", 1e-2)), lambda r: r.properties.area),
+        scaled("Mass", "In the chosen material", (("g", 1e3), ("kg", 1.0)), lambda r: weight * r.properties.volume),
+        row("Centre z", "mm", "Of mass, from the apex along the axis", lambda r: fixed(r.properties.centre[2], 3)),
+        scaled("Inertia z", "About the gear's axis", inertias, lambda r: weight * float(r.properties.inertia[2, 2])),
+        scaled(
+            "Inertia x, y",
+            "About an axis through the centre of mass, square to the gear's axis",
+            inertias,
+            lambda r: weight * float(r.properties.inertia[0, 0]),
+        ),
+        row("Built in", "", "Building and checking", lambda r: seconds(r.seconds)),
+    )
+
+
+def _unit(value: float, units: tuple[tuple[str, float], ...]) -> tuple[str, float]:
+    """The largest unit in which a value is not below one."""
+    fitting = [unit for unit in units if value * unit[1] >= 1]
+    return fitting[-1] if fitting else units[0]

@@ -1,0 +1,239 @@
+"""The solid mode of the window: connects solids, views, panel and animation; its state is the mode."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, Literal
+
+from PySide6.QtCore import QObject, QTimer, Signal
+
+from ui.session import ALL, Key, Session
+from ui.solid_words import state, titles
+from ui.solids import Solids
+
+if TYPE_CHECKING:
+    from ui.camera import Camera
+    from ui.main_window import MainWindow
+    from ui.presenter import Presenter
+    from ui.runner import JobRunner
+    from ui.solid_measure import SolidMeasure
+    from ui.solid_view import SolidView
+
+Mode = Literal["flanks", "gear", "pair"]
+PAIR = ("pinion", "wheel")
+STILL_MS = 160
+REDRAW_PAUSE_MS = 15
+
+
+class SolidMode(QObject):
+    """Shows whole gears in the views while the mode is not ``flanks``.
+
+    Signals
+    -------
+    mode_changed(str)
+    """
+
+    mode_changed = Signal(str)
+
+    def __init__(self, session: Session, window: MainWindow, presenter: Presenter, parent: QObject) -> None:
+        super().__init__(parent)
+        self._session, self._window, self._presenter = session, window, presenter
+        self._panel = window.solid_panel
+        self.solids = Solids(session, self)
+        self.mode: Mode = "flanks"
+        self.view: SolidView | None = None
+        self.measuring: SolidMeasure | None = None
+        self._flank_view: tuple[Camera, str] | None = None
+        self._to_fit = self._turning = False
+        self._redraw = QTimer(self, singleShot=True, interval=REDRAW_PAUSE_MS)
+        self._redraw.timeout.connect(self.redraw)
+        self._still = QTimer(self, singleShot=True, interval=STILL_MS)
+        self._still.timeout.connect(self._on_still)
+        self._panel.build_requested.connect(self.solids.build)
+        self._panel.automatic_switched.connect(self.solids.set_automatic)
+        self._panel.looks_changed.connect(self.redraw)
+        self._panel.section_changed.connect(self._on_section)
+        self._panel.section_side_wanted.connect(self._choose_side)
+        self._panel.measure_switched.connect(self._on_measure)
+        self.solids.changed.connect(self.redraw_soon)
+        session.selection_changed.connect(self._follow_selection)
+        session.design_changed.connect(self.redraw_soon)
+
+    @property
+    def keys(self) -> tuple[Key, ...]:
+        """The solids in sight."""
+        if self.mode == "flanks":
+            return ()
+        members = PAIR if self.mode == "pair" else (self._session.member,)
+        return tuple(Key(member, self._session.visible_methods[0], self._session.variant) for member in members)
+
+    def use_runner(self, runner: JobRunner) -> None:
+        """The CAD process can be started."""
+        self.solids.use(runner)
+
+    def views_ready(self) -> None:
+        """The window has its views now."""
+        from ui.solid_measure import SolidMeasure
+        from ui.solid_view import SolidView
+
+        area = self._window.area
+        assert area.grid is not None and area.mesh_bar is not None
+        self.view = SolidView(area.grid)
+        self.measuring = SolidMeasure(self.view, self._panel.show_measure, self)
+        area.mesh_bar.turned.connect(self._on_turned)
+        area.grid.viewport.drawing.connect(self._on_drawing)
+        self._show_mode()
+        if self.mode != "flanks":
+            self.redraw()
+
+    def close(self) -> None:
+        """Stop what moves and let the thread end."""
+        for timer in (self._still, self._redraw):
+            timer.stop()
+        self.solids.close()
+
+    # ---- mode ------------------------------------------------------------------------------------------
+
+    def set_mode(self, mode: Mode) -> None:
+        """Show flanks, one gear or the pair."""
+        if mode == self.mode:
+            return
+        before, self.mode = self.mode, mode
+        if before == "flanks" and self.view is not None:
+            self._flank_view = self.view.grid.keep_view()
+        self._to_fit = True
+        self._presenter.active = mode == "flanks"
+        self._show_mode()
+        self._follow_selection()
+        if self.measuring is not None:
+            self.measuring.clear()
+        if mode == "flanks":
+            self._show_flanks()
+        else:
+            self._panel.set_section_axis("y", 0.0)
+            self._choose_side()
+            self.redraw()
+        self.mode_changed.emit(mode)
+
+    def build(self, mode: Mode) -> None:
+        """Show a gear or the pair, and build what of it is not current."""
+        self.set_mode(mode)
+        self.solids.build()
+
+    def _show_flanks(self) -> None:
+        if self.view is None:
+            return
+        self.view.close()
+        if self._window.area.color_bar is not None:
+            self._window.area.color_bar.show()
+        self._presenter.redraw()
+        if self._flank_view is not None:
+            self.view.grid.restore_view(self._flank_view)
+
+    def _show_mode(self) -> None:
+        window, solid = self._window, self.mode != "flanks"
+        window.show_solid_mode(solid)
+        window.commands.show_mode(self.mode)
+        if self.measuring is not None:
+            self.measuring.switch(solid and self._panel.measuring)
+        area = window.area
+        if area.roll_slider is not None and area.mesh_bar is not None:
+            area.roll_slider.pause()
+            area.roll_slider.setVisible(not solid)
+            area.mesh_bar.pause()
+            area.mesh_bar.setVisible(self.mode == "pair")
+
+    def _follow_selection(self) -> None:
+        bar, session, solid = self._window.method_bar, self._session, self.mode != "flanks"
+        bar.methods.button(ALL).setEnabled(not solid)
+        bar.members.setEnabled(self.mode != "pair")
+        bar.show_selection(session.member, session.visible_methods[0] if solid else session.method, session.variant)
+        self._to_fit = self._to_fit or (self.mode == "gear" and self.keys != self.solids.wanted)
+        self.solids.want(self.keys)
+        self.redraw_soon()
+
+    # ---- drawing ---------------------------------------------------------------------------------------
+
+    def redraw_soon(self) -> None:
+        """Several things may change at once; draw them together."""
+        if self.mode != "flanks" and not self._redraw.isActive():
+            self._redraw.start()
+
+    def redraw(self) -> None:
+        """Show the solids as they are now."""
+        self._redraw.stop()
+        if self.mode == "flanks" or self._session.pair is None:
+            return
+        self._show_panel()
+        if self.view is None:
+            return
+        from ui.section import Plane
+        from ui.solid_layers import SolidOptions
+
+        chosen, options = self._panel.section, SolidOptions(self._panel.edges, self._panel.deviation)
+        before, self.view.plane = self.view.gears, None if chosen is None else Plane(*chosen)
+        words = titles(self.solids, self.keys)
+        self.view.show(self._session.pair, self.keys, self.solids.built, options, words, self._turning)
+        if self.view.gears != before and self.measuring is not None:
+            self.measuring.clear()
+        extent = self.view.extent(self._panel.axis)
+        if extent is not None:
+            self._panel.set_section_range(*extent)
+        self._show_colors()
+        if self._to_fit:
+            self._to_fit = len(self.view.gears) < len(self.keys)
+            self.view.grid.set_view("pair" if self.mode == "pair" else "iso")
+
+    def _show_panel(self) -> None:
+        built = self.solids.built
+        self._panel.show_state(*state(self.solids, self.keys))
+        self._panel.properties.show_results({k.member: built[k].result if k in built else None for k in self.keys})
+        bar, pair = self._window.area.mesh_bar, self._session.pair
+        if bar is not None and pair is not None:
+            bar.set_pair(pair.pinion.teeth, pair.wheel.teeth)
+
+    def _show_colors(self) -> None:
+        color_bar, colored = self._window.area.color_bar, self._panel.deviation
+        if color_bar is not None:
+            color_bar.setVisible(colored)
+            limits = [self.solids.built[key].largest_um for key in self.keys if key in self.solids.built]
+            if colored and limits:
+                color_bar.set_data_limit(max(limits))
+
+    # ---- turning, cutting, measuring -------------------------------------------------------------------
+
+    def _on_turned(self, degrees: float) -> None:
+        if self.mode != "pair" or self.view is None:
+            return
+        if not self._turning:
+            self._turning = True
+            if self.measuring is not None:
+                self.measuring.clear()
+            if self.view.plane is not None:
+                self.redraw()
+        self.view.turn(math.radians(degrees))
+        self._still.start()
+
+    def _on_still(self) -> None:
+        self._turning = False
+        if self.view is not None and self.view.plane is not None:
+            self.redraw()
+
+    def _on_drawing(self, _hurried: bool) -> None:
+        bar, view = self._window.area.mesh_bar, self.view
+        if bar is not None and view is not None:
+            bar.frame_ms = view.grid.viewport.frame_ms
+
+    def _on_section(self) -> None:
+        if self.view is not None and self.mode != "flanks":
+            self.redraw()
+            self.view.grid.viewport.update()
+
+    def _choose_side(self) -> None:
+        """Take away the side that one looks at."""
+        if self.view is not None:
+            self._panel.set_section_side(1 if self.view.grid.viewport.look.back[self._panel.axis] >= 0 else -1)
+
+    def _on_measure(self, on: bool) -> None:
+        if self.measuring is not None:
+            self.measuring.switch(on and self.mode != "flanks")
