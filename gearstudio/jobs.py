@@ -10,7 +10,7 @@ import contextlib
 import errno
 import os
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, ClassVar, Literal
@@ -20,17 +20,22 @@ from gearstudio.errors import FileError
 if TYPE_CHECKING:
     from gearstudio.catalogue import MemberName, Variant
     from gearstudio.design import Design
-    from gearstudio.nurbs import NurbsSurface
-    from gearstudio.results import SolidResult, VariantResult
+    from gearstudio.results import FileCheck, SolidResult, VariantResult
 
 Report = Callable[[str, float], None]
 """Takes the stage that begins and the fraction done, 0 to 1."""
 
 Purpose = Literal["build", "solid", "export"]
 
-FLANK_FORMATS = ("step",)
+FORMATS = {
+    "flanks": ("step",),
+    "tooth": ("step", "iges", "brep", "stl", "3mf", "glb"),
+    "gear": ("step", "iges", "brep", "stl", "3mf", "glb"),
+}
+"""Parts that can be written, and how."""
+SOLID_FORMATS = ("step", "iges", "brep")
+CONSTRUCTIONS = ("assemble", "cut")
 _EXPORT_SAMPLES = (9, 9)
-_READ_BACK_MM = 1e-6
 _REASONS = {
     errno.EACCES: "no permission to write there",
     errno.EPERM: "no permission to write there",
@@ -112,29 +117,33 @@ class GearJob(Job):
 
 @dataclass(frozen=True)
 class ExportedFile:
-    """A file that an export wrote."""
+    """A file that an export wrote, and what was found when it was read back (None for flanks, which are compared)."""
 
     path: Path
     format: str
     size: int
+    check: FileCheck | None = None
 
 
 @dataclass(frozen=True)
 class ExportJob(Job):
-    """Build a part of a member and write it as ``MEMBER-PART.EXT``, once per format.
+    """Build a part of a member, or of the pair in mesh, and write it as ``MEMBER-PART.EXT``, once per format.
 
-    A file appears under its name only when it is complete; one of that name is replaced.
+    A file appears under its name only when it is complete; one of that name is replaced. ``chord`` is how far
+    triangles may lie from the surfaces [mm]; None for a ten-thousandth of the outer cone distance.
     """
 
     purpose: ClassVar[Purpose] = "export"
 
     design: Design
-    member: MemberName
+    member: MemberName | Literal["pair"]
     part: str
     method: str
     variant: Variant
     formats: Sequence[str]
     directory: Path
+    construction: str = "assemble"
+    chord: float | None = None
 
     @property
     def label(self) -> str:
@@ -150,20 +159,32 @@ class ExportJob(Job):
         ModellingError
             The method could not make the part.
         """
-        from gearstudio.analysis.comparison import build_variant
-
         self._check()
         report("building", 0.0)
-        result = build_variant(self.design, self.member, self.method, self.variant, _EXPORT_SAMPLES)
-        surfaces = {flank: made.surface for flank, made in result.flanks.items()}
-        name = f"{self.member}-{self.part}"
+        write = self._flank_writer() if self.part == "flanks" else self._solid_writer(report)
         files = []
         for index, format_ in enumerate(self.formats):
             report(f"writing {format_}", (index + 1) / (len(self.formats) + 1))
             with _complete_or_absent(self._path(format_), self._unfinished(format_, os.getpid())) as path:
-                _write_flanks(path, surfaces, name)
-            files.append(ExportedFile(self._path(format_), format_, self._path(format_).stat().st_size))
+                check = write(path, format_)
+            files.append(ExportedFile(self._path(format_), format_, self._path(format_).stat().st_size, check))
         return tuple(files)
+
+    def _flank_writer(self) -> Callable[[Path, str], None]:
+        from gearstudio.analysis.comparison import build_variant
+        from gearstudio.exchange.flanks import write_checked_flanks
+
+        result = build_variant(self.design, self.member, self.method, self.variant, _EXPORT_SAMPLES)
+        surfaces = {flank: made.surface for flank, made in result.flanks.items()}
+        return lambda path, format_: write_checked_flanks(path, surfaces, f"{self.member}-{self.part}")
+
+    def _solid_writer(self, report: Report) -> Callable[[Path, str], FileCheck]:
+        from gearstudio.exchange.solids import Product
+
+        product = Product(self.design, self.member, self.part, self.method, self.variant, self.construction, self.chord)
+        if any(format_ in SOLID_FORMATS for format_ in self.formats):
+            product.solids(report)
+        return product.write
 
     def clear_up(self, process_id: int) -> None:
         for format_ in self.formats:
@@ -178,12 +199,17 @@ class ExportJob(Job):
 
     def _check(self) -> None:
         """Refuse what cannot succeed before time is spent on building."""
+        offered = FORMATS.get(self.part, ())
         for format_ in self.formats:
             path = self._path(format_)
-            if self.part != "flanks":
-                raise FileError(path, f"the part {self.part!r} is not offered; parts: flanks")
-            if format_ not in FLANK_FORMATS:
-                raise FileError(path, f"flanks cannot be written as {format_!r}; formats: {', '.join(FLANK_FORMATS)}")
+            if not offered:
+                raise FileError(path, f"the part {self.part!r} is not offered; parts: {', '.join(FORMATS)}")
+            if format_ not in offered:
+                raise FileError(path, f"{self.part} cannot be written as {format_!r}; formats: {', '.join(offered)}")
+            if self.member == "pair" and self.part != "gear":
+                raise FileError(path, f"of a pair only the part 'gear' is written, not {self.part!r}")
+            if self.construction not in CONSTRUCTIONS:
+                raise FileError(path, f"no construction {self.construction!r}; use {' or '.join(CONSTRUCTIONS)}")
             with _named(path):
                 path.parent.mkdir(parents=True, exist_ok=True)
                 if path.is_dir():
@@ -196,22 +222,7 @@ class ExportJob(Job):
 def warm_up() -> None:
     """Import everything that jobs need, which takes seconds, before the first one comes."""
     import gearstudio.analysis.comparison
-    import gearstudio.kernel.step  # noqa: F401
-
-
-def _write_flanks(path: Path, surfaces: Mapping[str, NurbsSurface], name: str) -> None:
-    """Write the flanks and make sure that the file holds them."""
-    import numpy as np
-
-    from gearstudio.kernel.step import read_flanks_step, write_flanks_step
-
-    write_flanks_step(path, surfaces, name)
-    read = read_flanks_step(path)
-    if set(read) != set(surfaces):
-        raise FileError(path, "the file is not complete after writing; the disk may be full")
-    for flank, surface in surfaces.items():
-        if np.abs(read[flank].uniform_grid(9, 9) - surface.uniform_grid(9, 9)).max() > _READ_BACK_MM:
-            raise FileError(path, f"the {flank} flank is not the same after reading the file back")
+    import gearstudio.exchange.solids  # noqa: F401
 
 
 @contextlib.contextmanager

@@ -78,11 +78,23 @@ def make_parser() -> argparse.ArgumentParser:
     made.add_argument("--out", required=True, metavar="FILE", help="- is standard output")
 
     made = command("export", "write a part as a method makes it", export.run)
-    made.add_argument("--member", choices=(*MEMBERS, *export.MEMBERS_TO_COME), required=True)
-    made.add_argument("--part", choices=(*export.PARTS, *export.PARTS_TO_COME), required=True)
+    made.add_argument("--member", choices=(*MEMBERS, export.PAIR), required=True)
+    made.add_argument("--part", choices=export.PARTS, required=True)
     made.add_argument("--method", choices=METHOD_IDS, default=METHOD_IDS[0], help=f"default: {METHOD_IDS[0]}")
     made.add_argument("--variant", choices=VARIANTS, default="optimised", help="default: optimised")
+    made.add_argument(
+        "--construction",
+        choices=export.CONSTRUCTIONS,
+        default="assemble",
+        help="faces joined, or tooth spaces cut from the blank by Booleans (slow); default: assemble",
+    )
     made.add_argument("--format", choices=EXPORT_FORMATS, action="append", required=True, help="may be repeated")
+    made.add_argument(
+        "--chord",
+        type=_length,
+        metavar="MM",
+        help="how far triangles may lie from the surfaces; default: 1e-4 of the outer cone distance",
+    )
     made.add_argument("--out", required=True, metavar="DIR", help="made when missing")
 
     made = command("contact", "tooth contact analysis for drive and coast", contact.run)
@@ -106,6 +118,17 @@ def make_parser() -> argparse.ArgumentParser:
 
 def _add_json(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--json", metavar="FILE", help="write the result as JSON too; - is standard output, then alone")
+
+
+def _length(text: str) -> float:
+    try:
+        length = float(text)
+    except ValueError:
+        length = 0.0
+    if not 0 < length < float("inf"):
+        shown = text if len(text) <= 20 else f"{text[:19]}…"
+        raise argparse.ArgumentTypeError(f"{shown} is not a length in mm; use more than 0")
+    return length
 
 
 def _lines(text: str) -> int:

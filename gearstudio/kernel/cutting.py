@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 
 import numpy as np
 from OCP.BRep import BRep_Builder
@@ -12,20 +13,32 @@ from OCP.collections import List_TopoDS_Shape
 from OCP.gp import gp_Ax1, gp_Dir, gp_Pnt, gp_Trsf
 from OCP.TopAbs import TopAbs_ShapeEnum
 from OCP.TopExp import TopExp_Explorer
-from OCP.TopoDS import TopoDS, TopoDS_Compound, TopoDS_Shape, TopoDS_Solid
+from OCP.TopoDS import TopoDS, TopoDS_Compound, TopoDS_Face, TopoDS_Shape, TopoDS_Solid
 
 from gearstudio.errors import GeometryError
+from gearstudio.kernel.shell import GearShell
 
 Report = Callable[[str, float], None]
 Solid = TopoDS_Solid
+Face = TopoDS_Face
 
 
-def cut_spaces(blank: TopoDS_Solid, space: TopoDS_Solid, teeth: int, report: Report) -> TopoDS_Solid:
+@dataclass(frozen=True)
+class CutGear:
+    """A solid cut from a blank, and which of its faces each face of each tooth space left, by space and face."""
+
+    solid: TopoDS_Solid
+    spaces: tuple[tuple[tuple[TopoDS_Face, ...], ...], ...]
+
+
+def cut_spaces(blank: TopoDS_Solid, space: GearShell, teeth: int, report: Report) -> CutGear:
     """Cut a tooth space, turned to every pitch, from a blank.
 
     Parameters
     ----------
-    blank, space : TopoDS_Solid
+    blank : TopoDS_Solid
+    space : GearShell
+        Of one tooth space.
     teeth : int
     report : callable
         Takes the stage that begins and the fraction done.
@@ -36,9 +49,11 @@ def cut_spaces(blank: TopoDS_Solid, space: TopoDS_Solid, teeth: int, report: Rep
         The Boolean failed or left other than one solid.
     """
     report("placing the tooth spaces", 0.0)
-    tools = List_TopoDS_Shape()
+    tools, faces = List_TopoDS_Shape(), []
     for index in range(teeth):
-        tools.Append(_turned(space, 2 * np.pi * index / teeth))
+        turned = BRepBuilderAPI_Transform(space.solid, _turn(2 * np.pi * index / teeth), True)
+        tools.Append(turned.Shape())
+        faces.append([turned.ModifiedShape(face) for face in space.tooth_faces[0]])
     blanks = List_TopoDS_Shape()
     blanks.Append(blank)
     report("cutting the tooth spaces from the blank", 0.05)
@@ -53,7 +68,8 @@ def cut_spaces(blank: TopoDS_Solid, space: TopoDS_Solid, teeth: int, report: Rep
     solids = parts(cutter.Shape(), TopAbs_ShapeEnum.TopAbs_SOLID)
     if len(solids) != 1:
         raise GeometryError(f"cutting the tooth spaces left {len(solids)} solids instead of one")
-    return TopoDS.Solid(solids[0])
+    left = tuple(tuple(tuple(map(TopoDS.Face, cutter.Modified(face))) for face in tool) for tool in faces)
+    return CutGear(TopoDS.Solid(solids[0]), left)
 
 
 def compound(shapes: list[TopoDS_Shape]) -> TopoDS_Shape:
@@ -74,7 +90,7 @@ def parts(shape: TopoDS_Shape, kind: TopAbs_ShapeEnum) -> list[TopoDS_Shape]:
     return found
 
 
-def _turned(solid: TopoDS_Solid, angle: float) -> TopoDS_Shape:
+def _turn(angle: float) -> gp_Trsf:
     turn = gp_Trsf()
     turn.SetRotation(gp_Ax1(gp_Pnt(0.0, 0.0, 0.0), gp_Dir(0.0, 0.0, 1.0)), angle)
-    return BRepBuilderAPI_Transform(solid, turn, True).Shape()
+    return turn

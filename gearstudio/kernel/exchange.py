@@ -20,7 +20,7 @@ from OCP.TopoDS import TopoDS_Shape
 from gearstudio.errors import FileError
 from gearstudio.kernel.cutting import compound, parts
 from gearstudio.kernel.document import Part, located, make_document
-from gearstudio.kernel.solids import bounding_box, check_solid
+from gearstudio.kernel.solids import corner_box, is_closed, is_valid, solid_volume
 from gearstudio.kernel.step import settle
 from gearstudio.results import FileCheck
 
@@ -57,19 +57,18 @@ def write_solids(path: Path, name: str, made: Sequence[Part], format_: str) -> F
 
 def _checked(path: Path, format_: str, shape: TopoDS_Shape, made: Sequence[Part]) -> FileCheck:
     solids = parts(shape, TopAbs_ShapeEnum.TopAbs_SOLID)
-    checks = [check_solid(solid) for solid in solids]
     wanted = sum(part.volume for part in made)
-    volume = sum(check.volume for check in checks)
-    box = bounding_box(compound([located(part) for part in made]))
+    volume = sum(solid_volume(solid) for solid in solids)
+    box = corner_box(compound([located(part) for part in made]))
     check = FileCheck(
         format=format_,
-        valid=bool(checks) and all(check.valid for check in checks),
-        closed=bool(checks) and all(check.closed for check in checks),
+        valid=bool(solids) and is_valid(shape),
+        closed=bool(solids) and all(is_closed(solid) for solid in solids),
         solids=len(solids),
-        faces=sum(check.faces for check in checks),
+        faces=len(parts(shape, TopAbs_ShapeEnum.TopAbs_FACE)),
         volume=volume,
         volume_error=abs(volume - wanted) / wanted,
-        box_error=float(np.abs(bounding_box(shape) - box).max()),
+        box_error=float(np.abs(corner_box(shape) - box).max()) if solids else np.inf,
     )
     check.require(path, len(made))
     return check

@@ -34,6 +34,7 @@ class Maker:
         self.gap = 0.0
 
     def vertex(self, point: Floats, gap: float) -> TopoDS_Vertex:
+        """A vertex that covers a gap [mm]."""
         vertex = TopoDS_Vertex()
         self.builder.MakeVertex(vertex, gp_Pnt(*point.tolist()), self._tolerance(gap))
         return vertex
@@ -41,6 +42,7 @@ class Maker:
     def edge(
         self, curve: Geom_Curve, span: Point, start: TopoDS_Vertex, end: TopoDS_Vertex, gap: float = 0.0
     ) -> TopoDS_Edge:
+        """An edge over a range of its curve, covering a gap [mm] to its neighbours."""
         edge = TopoDS_Edge()
         self.builder.MakeEdge(edge, curve, self._tolerance(gap))
         self.builder.Add(edge, start.Oriented(_FORWARD))

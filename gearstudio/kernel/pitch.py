@@ -37,6 +37,7 @@ class Pitch:
 
     @staticmethod
     def of(records: Sequence[NurbsSurface], step: float) -> Pitch:
+        """Of faces as for `assembled`, at an angular step between teeth [rad]."""
         seams = [to_curve(r.poles[0], r.knots_v, r.degree_v) for r in records]
         ends = [[to_curve(r.poles[:, j], r.knots_u, r.degree_u) for r in records] for j in (0, -1)]
         return Pitch(
@@ -88,6 +89,7 @@ def _rotation(angle: float) -> Floats:
 
 
 def make_teeth(maker: Maker, pitch: Pitch, teeth: int) -> list[ToothMade]:
+    """Faces of all teeth, each a turned copy that shares its edges with its neighbours."""
     turns = [_turn(i * TURN / teeth) for i in range(teeth)]
     made = [_start_tooth(maker, pitch, turn) for turn in turns]
     lines = [Geom2d_Line(gp_Pnt2d(*at), gp_Dir2d(*way)) for at, way in _BORDERS]
@@ -163,4 +165,5 @@ def _trace_nodes(knots: Floats, nodes_a_span: int = _TRACE_NODES_A_SPAN[0]) -> F
 
 
 def meridian_point(point: Floats) -> Point:
+    """(radius, height) of a point [mm]."""
     return float(np.hypot(point[0], point[1])), float(point[2])

@@ -14,7 +14,7 @@ from OCP.BRepGProp import BRepGProp
 from OCP.GProp import GProp_GProps
 from OCP.TopAbs import TopAbs_ShapeEnum
 from OCP.TopExp import TopExp_Explorer
-from OCP.TopoDS import TopoDS_Shape
+from OCP.TopoDS import TopoDS, TopoDS_Shape
 
 Floats = NDArray[np.float64]
 
@@ -54,14 +54,13 @@ class SolidCheck:
 
 def check_solid(shape: TopoDS_Shape) -> SolidCheck:
     """Run the kernel's full check and integrate volume, area and inertia."""
-    volume, area = GProp_GProps(), GProp_GProps()
-    BRepGProp.VolumeProperties_s(shape, volume, _INTEGRATION_ERROR, False, False)
+    volume, area = _volume(shape), GProp_GProps()
     BRepGProp.SurfaceProperties_s(shape, area)
     centre, matrix = volume.CentreOfMass(), volume.MatrixOfInertia()
     shells = _parts(shape, TopAbs_ShapeEnum.TopAbs_SHELL)
     return SolidCheck(
         valid=is_valid(shape),
-        closed=bool(shells) and all(BRep_Tool.IsClosed_s(shell) for shell in shells),
+        closed=is_closed(shape),
         shells=len(shells),
         faces=len(_parts(shape, TopAbs_ShapeEnum.TopAbs_FACE)),
         volume=volume.Mass(),
@@ -70,6 +69,30 @@ def check_solid(shape: TopoDS_Shape) -> SolidCheck:
         inertia=np.array([[matrix.Value(i, j) for j in (1, 2, 3)] for i in (1, 2, 3)]),
         box=bounding_box(shape),
     )
+
+
+def solid_volume(shape: TopoDS_Shape) -> float:
+    """Volume [mm^3], positive when the faces look outward."""
+    return float(_volume(shape).Mass())
+
+
+def is_closed(shape: TopoDS_Shape) -> bool:
+    """Whether it has shells and all are closed."""
+    shells = _parts(shape, TopAbs_ShapeEnum.TopAbs_SHELL)
+    return bool(shells) and all(BRep_Tool.IsClosed_s(shell) for shell in shells)
+
+
+def corner_box(shape: TopoDS_Shape) -> Floats:
+    """Least and greatest coordinates of its vertices [mm], shape (2, 3); quick, and the same in every format."""
+    points = [BRep_Tool.Pnt_s(TopoDS.Vertex(v)) for v in _parts(shape, TopAbs_ShapeEnum.TopAbs_VERTEX)]
+    corners = np.array([(p.X(), p.Y(), p.Z()) for p in points])
+    return np.stack([corners.min(axis=0), corners.max(axis=0)])
+
+
+def _volume(shape: TopoDS_Shape) -> GProp_GProps:
+    properties = GProp_GProps()
+    BRepGProp.VolumeProperties_s(shape, properties, _INTEGRATION_ERROR, False, False)
+    return properties
 
 
 def is_valid(shape: TopoDS_Shape) -> bool:

@@ -104,6 +104,7 @@ def settle() -> None:
     STEPCAFControl_Controller.Init_s()
     Interface_Static.SetIVal_s("write.step.schema", _SCHEMA_AP242)
     Interface_Static.SetCVal_s("write.step.unit", "MM")
+    Interface_Static.SetIVal_s("write.surfacecurve.mode", 0)  # edges as curves in space alone: half the size
     Interface_Static.SetIVal_s("write.stepcaf.subshapes.name", 1)
     Interface_Static.SetIVal_s("read.stepcaf.subshapes.name", 1)
 

@@ -30,6 +30,7 @@ class Ring:
 
     @staticmethod
     def of(maker: Maker, point: Point, seam: float) -> Ring:
+        """The circle through (radius, height), cut open at an azimuth."""
         radius, height = point
         if radius <= CONFUSION_MM:
             return Ring((0.0, height), seam, None, None)

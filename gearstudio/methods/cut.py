@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from gearstudio.kernel.cutting import Report, Solid, cut_spaces
+from gearstudio.kernel.cutting import CutGear, Face, Report, cut_spaces
 from gearstudio.kernel.shell import closed_tooth
 from gearstudio.kernel.turned import turned_solid
 from gearstudio.methods.base import SAFETY, Target
@@ -27,7 +27,7 @@ _EDGE_SHARE = 0.1
 _SEAM_CANDIDATES = 181
 
 
-def cut_gear(tooth: Tooth, outline: Floats, target: Target, report: Report) -> Solid:
+def cut_gear(tooth: Tooth, outline: Floats, target: Target, report: Report) -> CutGear:
     """The gear's solid, cut by Booleans.
 
     Parameters
@@ -50,7 +50,21 @@ def cut_gear(tooth: Tooth, outline: Floats, target: Target, report: Report) -> S
     space = closed_tooth(space_faces(tooth, target), member.ends == "sphere", inside_out=True)
     report("turning the blank", 0.02)
     blank = turned_solid(*blank_polygon(member, outline), seam_azimuth(tooth.profile))
-    return cut_spaces(blank, space.solid, member.teeth, report)
+    return cut_spaces(blank, space, member.teeth, report)
+
+
+def space_names(tooth: Tooth, cut: CutGear) -> tuple[tuple[str, Face], ...]:
+    """Names of the faces that the tooth spaces left; space i lies between tooth i and the next, counted from 1."""
+    faces = tooth.faces
+    order = [face for face in faces if face.side > 0] + [face for face in faces if face.kind == "root"]
+    after = [face for face in faces if face.side < 0]
+    names = []
+    for number, space in enumerate(cut.spaces, start=1):
+        following = number % tooth.member.teeth + 1
+        titles = [f"tooth {number} {face.title(tooth.member.hand)}" for face in order]
+        titles += [f"tooth {following} {face.title(tooth.member.hand)}" for face in after]
+        names += [(title, made) for title, left in zip(titles, space, strict=False) for made in left]
+    return tuple(names)
 
 
 def blank_polygon(member: MemberGeometry, outline: Floats) -> tuple[Floats, list[bool]]:

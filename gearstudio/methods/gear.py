@@ -3,29 +3,38 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable
 from dataclasses import dataclass
 
 from gearstudio.catalogue import Variant
 from gearstudio.design import Design
 from gearstudio.errors import GeometryError, ModellingError
-from gearstudio.kernel.shell import GearShell, assembled
+from gearstudio.kernel.cutting import Face, Report, Solid
+from gearstudio.kernel.shell import assembled
 from gearstudio.kernel.solids import check_solid, is_valid
 from gearstudio.methods.base import Target
+from gearstudio.methods.cut import cut_gear, space_names
 from gearstudio.methods.tooth import Tooth, build_tooth
 from gearstudio.results import FaceResult, MassProperties, SolidResult
 from gearstudio.theory.blank import BlankOutline, BlankSizes, blank_outline
 from gearstudio.theory.cones import MemberGeometry, pair_geometry
 
+CONSTRUCTIONS = ("assemble", "cut")
+
 
 @dataclass(frozen=True)
 class Gear:
-    """A member's solid and what it was made from."""
+    """A member's solid and what it was made from.
+
+    ``faces`` are those of the teeth by name ("tooth 7 concave", "tooth 7 root", teeth counted from 1 at
+    azimuth 0); ``gap`` is the largest between neighbouring faces of a tooth [mm].
+    """
 
     member: MemberGeometry
     tooth: Tooth
     outline: BlankOutline
-    shell: GearShell
+    solid: Solid
+    faces: tuple[tuple[str, Face], ...]
+    gap: float
 
 
 def target_of(design: Design, member: MemberGeometry) -> Target:
@@ -40,25 +49,64 @@ def blank_sizes(design: Design, member: str) -> BlankSizes:
     return BlankSizes(**getattr(design.blank, member).model_dump())
 
 
-def build_gear(design: Design, member: str, method_id: str, variant: Variant) -> Gear:
-    """Assemble a member: no Boolean on teeth, every edge shared.
+def ignore(stage: str, fraction: float) -> None:
+    """A report that nobody reads."""
+
+
+def design_tooth(design: Design, member: str, method_id: str, variant: Variant) -> Tooth:
+    """One tooth of a member; ModellingError when the method could not make it."""
+    geometry = pair_geometry(design).member(member)
+    try:
+        return build_tooth(geometry, method_id, variant, target_of(design, geometry))
+    except GeometryError as error:
+        raise ModellingError(method_id, f"{variant} tooth of the {member}", str(error)) from error
+
+
+def build_gear(
+    design: Design,
+    member: str,
+    method_id: str,
+    variant: Variant,
+    construction: str = "assemble",
+    report: Report = ignore,
+) -> Gear:
+    """Make a member's solid.
+
+    Parameters
+    ----------
+    design : Design
+    member : {"pinion", "wheel"}
+    method_id, variant : str
+    construction : {"assemble", "cut"}
+        Faces joined by shared edges, no Boolean; or, as in the paper, tooth spaces cut from the blank.
+    report : callable
+        Takes the stage that begins and the fraction done.
 
     Raises
     ------
     BlankError
         A size of the body that cannot be made.
     ModellingError
-        The method could not make the tooth.
+        The method could not make the tooth, or the Boolean failed.
     """
     geometry = pair_geometry(design).member(member)
     outline = blank_outline(geometry, blank_sizes(design, member))
-    try:
-        tooth = build_tooth(geometry, method_id, variant, target_of(design, geometry))
-    except GeometryError as error:
-        raise ModellingError(method_id, f"{variant} tooth of the {member}", str(error)) from error
+    tooth = design_tooth(design, member, method_id, variant)
+    if construction == "cut":
+        try:
+            cut = cut_gear(tooth, outline.points, target_of(design, geometry), report)
+        except GeometryError as error:
+            raise ModellingError(method_id, f"cutting of the {member}", str(error)) from error
+        return Gear(geometry, tooth, outline, cut.solid, space_names(tooth, cut), 0.0)
+    report("joining the faces", 0.5)
     surfaces = [face.surface for face in tooth.faces]
     shell = assembled(surfaces, geometry.teeth, outline.points, geometry.ends == "sphere")
-    return Gear(geometry, tooth, outline, shell)
+    names = tuple(
+        (f"tooth {number} {face.title(geometry.hand)}", made)
+        for number, faces in enumerate(shell.tooth_faces, start=1)
+        for face, made in zip(tooth.faces, faces, strict=True)
+    )
+    return Gear(geometry, tooth, outline, shell.solid, names, shell.tolerance)
 
 
 def solid_result(
@@ -67,7 +115,7 @@ def solid_result(
     method_id: str,
     variant: Variant,
     construction: str,
-    report: Callable[[str, float], None],
+    report: Report,
 ) -> SolidResult:
     """Build a member's solid, check it and weigh it; ``report(stage, fraction)`` tells how far it is.
 
@@ -78,12 +126,12 @@ def solid_result(
     """
     report("building", 0.0)
     started = time.perf_counter()
-    gear = build_gear(design, member, method_id, variant)
+    gear = build_gear(design, member, method_id, variant, construction)
     report("checking", 0.3)
-    valid = is_valid(gear.shell.solid)
+    valid = is_valid(gear.solid)
     seconds = time.perf_counter() - started
     report("weighing", 0.5)
-    check = check_solid(gear.shell.solid)
+    check = check_solid(gear.solid)
     return SolidResult(
         member=member,
         method=method_id,
@@ -96,7 +144,7 @@ def solid_result(
         valid=valid,
         closed=check.closed,
         face_count=check.faces,
-        gap=gear.shell.tolerance,
+        gap=gear.gap,
         properties=MassProperties(check.volume, check.area, check.centre, check.inertia),
         box=check.box,
         seconds=seconds,

@@ -107,7 +107,7 @@ def reversed_across(surface: NurbsSurface) -> NurbsSurface:
 
 def profile_space() -> Space:
     """Where the fit of a face begins across the tooth."""
-    return Space.even(5, 4)
+    return Space.even(5, 1)
 
 
 def _tip(member: MemberGeometry, rho_u: Floats) -> Floats:

@@ -33,6 +33,7 @@ class Points:
         return indices.reshape(points.shape[:-1])
 
     def stacked(self) -> Floats:
+        """All points so far, shape (n, 3)."""
         return np.concatenate(self._parts)
 
 
@@ -78,6 +79,7 @@ class Rings:
         return np.stack([radius * np.sin(angles), radius * np.cos(angles)], axis=-1)
 
     def body(self) -> Ints:
+        """Triangles of the turned body between the two ends."""
         rings = [self.ends[1], *(self.circle(point) for point in self.outline[1:-1]), self.ends[0]]
         points = self.maker.stacked()
         pairs = [pair for pair in pairwise(rings) if max(map(len, pair)) > 1]

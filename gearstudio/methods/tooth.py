@@ -48,6 +48,11 @@ class ToothFace:
     side: int
     surface: NurbsSurface
 
+    def title(self, hand: int) -> str:
+        """What it is called on a tooth of a hand: ``concave``, ``concave fillet``, ``tip``, ..."""
+        flank = "concave" if self.side == hand else "convex"
+        return self.kind if self.side == 0 else flank if self.kind == "flank" else f"{flank} {self.kind}"
+
 
 @dataclass(frozen=True)
 class Tooth:

@@ -48,7 +48,9 @@ def test_labels_name_what_is_made() -> None:
 @pytest.mark.parametrize(
     ("change", "words"),
     [
-        ({"part": "tooth"}, "'tooth' is not offered"),
+        ({"part": "hub"}, "'hub' is not offered"),
+        ({"member": "pair"}, "of a pair only the part 'gear'"),
+        ({"part": "gear", "construction": "cast"}, "no construction 'cast'"),
         ({"formats": ("step", "dxf")}, "cannot be written as 'dxf'"),
     ],
 )

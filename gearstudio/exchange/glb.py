@@ -1,0 +1,116 @@
+"""GLB: binary glTF 2.0, one node for each part, one primitive with its colour for each group of faces [m, y up]."""
+
+from __future__ import annotations
+
+import json
+import struct
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gearstudio.results import Mesh
+
+Floats = NDArray[np.float64]
+NamedMesh = tuple[str, Mesh, Floats]
+
+_METRES = 1e-3
+_UP = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, -1.0, 0.0]])
+_COLORS = {
+    "concave": (0.10, 0.32, 0.62),
+    "convex": (0.68, 0.27, 0.09),
+    "fillet": (0.45, 0.48, 0.52),
+    "meridian": (0.45, 0.48, 0.52),
+    "root": (0.38, 0.40, 0.44),
+    "tip": (0.55, 0.58, 0.62),
+}
+_PLAIN = (0.48, 0.50, 0.54)
+_FLOAT, _UINT, _POSITIONS, _INDICES = 5126, 5125, 34962, 34963
+_JSON_CHUNK, _BINARY_CHUNK, _MAGIC = 0x4E4F534A, 0x004E4942, 0x46546C67
+
+
+def write(path: Path, meshes: Sequence[NamedMesh]) -> None:
+    """Every mesh as a node with its place."""
+    chunks: list[bytes] = []
+    tree: dict[str, Any] = {
+        "asset": {"version": "2.0", "generator": "GearStudio"},
+        "scene": 0,
+        "scenes": [{"nodes": list(range(len(meshes)))}],
+        "nodes": [],
+        "meshes": [],
+        "materials": [],
+        "accessors": [],
+        "bufferViews": [],
+    }
+    for index, (name, mesh, placement) in enumerate(meshes):
+        matrix = np.eye(4)
+        matrix[:3, :3] = _UP @ placement
+        tree["nodes"].append({"name": name, "mesh": index, "matrix": matrix.T.ravel().tolist()})
+        points = (mesh.points * _METRES).astype("<f4")
+        bounds = {"min": points.min(axis=0).tolist(), "max": points.max(axis=0).tolist()}
+        position = _accessor(tree, chunks, points, _FLOAT, "VEC3", _POSITIONS)
+        tree["accessors"][position] |= bounds
+        primitives = []
+        for group, triangles in mesh.groups.items():
+            corners = _accessor(tree, chunks, triangles.astype("<u4").ravel(), _UINT, "SCALAR", _INDICES)
+            material = len(tree["materials"])
+            primitives.append({"attributes": {"POSITION": position}, "indices": corners, "material": material})
+            tree["materials"].append(_material(group))
+        tree["meshes"].append({"name": name, "primitives": primitives})
+    binary = b"".join(chunks)
+    tree["buffers"] = [{"byteLength": len(binary)}]
+    text = json.dumps(tree, ensure_ascii=False, separators=(",", ":")).encode("utf-8")
+    text += b" " * (-len(text) % 4)
+    with open(path, "wb") as file:
+        file.write(struct.pack("<III", _MAGIC, 2, 12 + 8 + len(text) + 8 + len(binary)))
+        file.write(struct.pack("<II", len(text), _JSON_CHUNK) + text)
+        file.write(struct.pack("<II", len(binary), _BINARY_CHUNK) + binary)
+
+
+def read(path: Path) -> list[Mesh]:
+    """The placed meshes, back in millimetres with z up. ValueError when the file is cut off."""
+    content = path.read_bytes()
+    if len(content) < 20 or struct.unpack_from("<III", content) != (_MAGIC, 2, len(content)):
+        raise ValueError("not a complete GLB file")
+    (length,) = struct.unpack_from("<I", content, 12)
+    tree = json.loads(content[20 : 20 + length])
+    binary = content[20 + length + 8 :]
+
+    def values(index: int, kind: str, width: int) -> NDArray[np.generic]:
+        accessor = tree["accessors"][index]
+        start = tree["bufferViews"][accessor["bufferView"]]["byteOffset"]
+        return np.frombuffer(binary, kind, accessor["count"] * width, start).reshape(-1, width)
+
+    meshes = []
+    for node in tree["nodes"]:
+        primitives = tree["meshes"][node["mesh"]]["primitives"]
+        points = values(primitives[0]["attributes"]["POSITION"], "<f4", 3).astype(np.float64) / _METRES
+        turn = _UP.T @ np.array(node["matrix"]).reshape(4, 4).T[:3, :3]
+        corners = [values(p["indices"], "<u4", 1).reshape(-1, 3).astype(np.int64) for p in primitives]
+        meshes.append(Mesh(points @ turn.T, {str(k): part for k, part in enumerate(corners)}))
+    return meshes
+
+
+def _accessor(
+    tree: dict[str, Any], chunks: list[bytes], values: NDArray[np.generic], kind: int, shape: str, target: int
+) -> int:
+    """Append values as bytes with their view; the index of the accessor."""
+    data = values.tobytes()
+    view = {"buffer": 0, "byteOffset": sum(map(len, chunks)), "byteLength": len(data), "target": target}
+    chunks.append(data)
+    tree["bufferViews"].append(view)
+    count = len(values)
+    tree["accessors"].append(
+        {"bufferView": len(tree["bufferViews"]) - 1, "componentType": kind, "count": count, "type": shape}
+    )
+    return len(tree["accessors"]) - 1
+
+
+def _material(group: str) -> dict[str, Any]:
+    color = [*_COLORS.get(group, _PLAIN), 1.0]
+    return {
+        "name": group,
+        "pbrMetallicRoughness": {"baseColorFactor": color, "metallicFactor": 0.6, "roughnessFactor": 0.45},
+    }
