@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import logging
+import sys
 import threading
 import traceback
 from collections.abc import Callable
@@ -13,6 +14,8 @@ from PySide6.QtCore import QObject, Signal
 from gearstudio.errors import GearStudioError
 
 Work = Callable[[], Any]
+SWITCH_S = 0.0005
+"""How long a thread may keep the interpreter while another waits; the window answers at once also while this works."""
 log = logging.getLogger(__name__)
 
 
@@ -50,6 +53,7 @@ class Newest(QObject):
                 return
             self._waiting = (label, work)
             if self._thread is None:
+                sys.setswitchinterval(SWITCH_S)
                 self._thread = threading.Thread(target=self._run, name=self._name, daemon=True)
                 self._thread.start()
             self._changed.notify()

@@ -7,9 +7,11 @@ from collections.abc import Callable, Mapping
 from PySide6.QtWidgets import QWidget
 
 from ui.analysis.charts_page import ChartsPage
+from ui.analysis.contact_page import ContactPage
 from ui.analysis.datasheet_page import DatasheetPage
 
 FACTORIES: Mapping[str, Callable[[], QWidget]] = {
     "charts": ChartsPage,
+    "contact": ContactPage,
     "datasheet": DatasheetPage,
 }

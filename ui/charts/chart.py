@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pyqtgraph as pg
 from PySide6.QtCore import QPointF, QRectF, Qt
-from PySide6.QtGui import QPainter
+from PySide6.QtGui import QColor, QPainter
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from ui.charts.colors import chart_color
@@ -36,6 +36,8 @@ class Chart(QWidget):
         self._readout = pg.TextItem(anchor=(0, 1))
         self._marker = pg.ScatterPlotItem(size=8)
         self._lines: list[tuple[pg.InfiniteLine, Reference]] = []
+        self._curves: list[pg.PlotDataItem] = []
+        self._spans: list[pg.PlotDataItem] = []
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.addWidget(self._view)
@@ -49,10 +51,13 @@ class Chart(QWidget):
     # ---- what is shown -------------------------------------------------------------------------------
 
     def show_data(self, data: ChartData) -> None:
-        """Show other data; the scale follows it."""
-        self.data = data
-        self._fill()
-        self.plot.enableAutoRange()
+        """Show other data; the scale follows it, unless the user has chosen one and only numbers have changed."""
+        before, self.data = self.data, data
+        if data.looks_like(before) and self._curves:
+            self._move()
+        else:
+            self._fill()
+            self.plot.enableAutoRange()
 
     def refresh_theme(self) -> None:
         """Take the colours of the theme in use."""
@@ -92,7 +97,7 @@ class Chart(QWidget):
     def _fill(self) -> None:
         data, plot = self.data, self.plot
         plot.clear()
-        self._lines = []
+        self._lines, self._spans = [], []
         plot.setLogMode(x=data.x.log, y=data.y.log)
         for side, axis in (("bottom", data.x), ("left", data.y)):
             self._axes[side].show_axis(axis)
@@ -102,11 +107,10 @@ class Chart(QWidget):
             self._add_band(band.low, band.high, band.label)
         for reference in data.references:
             self._add_line(reference)
-        for series in data.series:
-            plot.addItem(curve(series))
-        for along_x, span in ((True, data.span_x), (False, data.span_y)):
-            if span is not None:
-                self._keep_in_sight(span, along_x=along_x)
+        self._curves = [curve(series) for series in data.series]
+        self._spans = [pg.PlotDataItem(*places, pen=pen(QColor(0, 0, 0, 0))) for places in self._span_places()]
+        for item in (*self._curves, *self._spans):
+            plot.addItem(item)
         self._marker.setData([], [])
         for item in (self._marker, self._readout, self._note):
             plot.addItem(item, ignoreBounds=True)
@@ -114,12 +118,23 @@ class Chart(QWidget):
         self._note.setText(data.note, color=chart_color("muted"))
         self._declutter()
 
-    def _keep_in_sight(self, span: tuple[float, float], *, along_x: bool) -> None:
-        """An unseen stroke, so that the scale reaches over a span."""
+    def _move(self) -> None:
+        """Give the curves other numbers."""
+        for item, series in zip(self._curves, self.data.series, strict=True):
+            item.setData(series.x, series.y)
+        for item, places in zip(self._spans, self._span_places(), strict=True):
+            item.setData(*places)
+
+    def _span_places(self) -> list[tuple[list[float], list[float]]]:
+        """Unseen strokes, so that the scale reaches over the spans."""
         first = next((s for s in self.data.series if s.y.size), None)
-        beside = float((first.y if along_x else first.x)[0]) if first is not None else 1.0
-        places = (list(span), [beside, beside]) if along_x else ([beside, beside], list(span))
-        self.plot.addItem(pg.PlotDataItem(*places, pen=None))
+        x, y = (1.0, 1.0) if first is None else (float(first.x[0]), float(first.y[0]))
+        strokes = []
+        if self.data.span_x is not None:
+            strokes.append((list(self.data.span_x), [y, y]))
+        if self.data.span_y is not None:
+            strokes.append(([x, x], list(self.data.span_y)))
+        return strokes
 
     def _add_band(self, low: float, high: float, label: str) -> None:
         ends = np.log10([low, high]) if self.data.y.log else (low, high)

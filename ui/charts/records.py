@@ -5,7 +5,7 @@ from __future__ import annotations
 import csv
 import io
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Literal
 
 import numpy as np
@@ -114,6 +114,20 @@ class ChartData:
     span_x: tuple[float, float] | None = None
     span_y: tuple[float, float] | None = None
     table: Table | None = field(default=None, compare=False)
+
+    def looks_like(self, other: ChartData) -> bool:
+        """Whether only the numbers of the curves differ."""
+
+        def look(data: ChartData) -> object:
+            spans = (data.span_x is None, data.span_y is None)
+            rest = replace(data, name="", series=(), span_x=None, span_y=None)
+            return (
+                rest,
+                spans,
+                [(c.name, c.color, c.stroke, c.width, c.symbols, c.steps, c.filled) for c in data.series],
+            )
+
+        return look(self) == look(other)
 
     @property
     def numbers(self) -> Table:

@@ -1,0 +1,144 @@
+"""The contact page: sliders, pattern, transmission error, warnings; and the thread behind it."""
+
+from __future__ import annotations
+
+import threading
+
+import numpy as np
+import pytest
+
+from gearstudio.analysis.contact_placing import Misalignment
+from gearstudio.design import Design
+from gearstudio.errors import GeometryError
+from gearstudio.theory.cones import pair_geometry
+from ui.analysis.background import Newest
+from ui.analysis.contact_view import NO_MATE, analyse, error_chart, facts, pattern_table
+from ui.charts.raster import frame, inside, outline, raster
+from ui.session import Session
+
+pytestmark = pytest.mark.ui
+
+
+def test_a_raster_brings_values_on_a_curved_grid_to_an_even_one() -> None:
+    u, v = np.mgrid[0:1:21j, 0:1:41j]
+    x, y = 10 + 5 * v + 0.3 * u, (1 + v) * (u - 0.4)
+    for turn in (slice(None), slice(None, None, -1)):
+        edge = outline(x, y)
+        extent = frame(edge)
+        image = raster(x[turn], y[turn], (2 * x + 3 * y)[turn], (60, 90), extent)
+        rows, columns = np.nonzero(np.isfinite(image))
+        at_x = extent[0] + (columns + 0.5) / 90 * extent[2]
+        at_y = extent[1] + (rows + 0.5) / 60 * extent[3]
+        np.testing.assert_allclose(image[rows, columns], 2 * at_x + 3 * at_y, rtol=2e-3)
+        within = inside(edge, (60, 90), extent)
+        assert np.mean(within == np.isfinite(image)) > 0.98
+        assert 0.4 < within.mean() < 0.95
+
+
+def test_the_perfect_pair_marks_the_whole_flank_and_has_a_flat_curve() -> None:
+    view = analyse(pair_geometry(Design()), Misalignment(), 6.35)
+    pinion, wheel = view.patterns["drive"]
+    assert pinion.title == "Pinion, concave flank" and wheel.title == "Wheel, convex flank"
+    assert np.mean(pinion.image[np.isfinite(pinion.image)] < 6.35) > 0.85
+    assert np.any(wheel.image == NO_MATE)
+    chart = error_chart(view.result.drive)
+    assert np.ptp(chart.series[0].y) < 1e-6 and np.ptp(chart.span_y) == pytest.approx(0.01)
+    assert np.ptp(chart.series[0].x) == pytest.approx(3 * 360 / 17, rel=0.02)
+    assert dict(facts(view, "drive"))["Peak to peak"] == "< 0.0001″"
+    assert len(pattern_table(view, "coast").rows) == view.result.coast.pinion.rho.size * 2
+
+
+def test_the_newest_request_wins_and_failures_are_told(qtbot) -> None:
+    work, gate = Newest("test"), threading.Event()
+    done: list[tuple[object, object]] = []
+    failed: list[tuple[object, str, str]] = []
+    work.done.connect(lambda *values: done.append(values))
+    work.failed.connect(lambda *values: failed.append(values))
+    work.request("first", lambda: gate.wait(5))
+    qtbot.wait(50)
+    for number in range(20):
+        work.request(number, lambda number=number: number**2)
+    gate.set()
+    qtbot.waitUntil(lambda: len(done) == 2)
+    assert done == [("first", True), (19, 361)]
+
+    def refuse() -> None:
+        raise GeometryError("no contact")
+
+    work.request("bad", refuse)
+    qtbot.waitUntil(lambda: len(failed) == 1)
+    work.request("worse", lambda: 1 / 0)
+    qtbot.waitUntil(lambda: len(failed) == 2)
+    assert failed[0] == ("bad", "no contact", "")
+    assert failed[1][1].startswith("ZeroDivisionError") and "Traceback" in failed[1][2]
+    work.close()
+    work.request("late", lambda: 1)
+    qtbot.wait(50)
+    assert len(done) == 2
+
+
+@pytest.fixture
+def page(qtbot, theme):
+    from ui.analysis.contact_page import ContactPage
+
+    made = ContactPage()
+    qtbot.addWidget(made)
+    made.resize(1000, 330)
+    made.show()
+    session = Session()
+    session.load(Design())
+    made.show_session(session)
+    made.session = session
+    qtbot.waitUntil(lambda: made.view is not None, timeout=20_000)
+    yield made
+    made.close_page()
+
+
+def settle(page, qtbot) -> None:
+    with qtbot.waitSignal(page.work.idle, timeout=20_000):
+        pass
+    qtbot.wait(50)
+
+
+def test_a_slider_recomputes_and_warns_of_edge_contact(page, qtbot) -> None:
+    assert "Peak to peak" in page.facts.text() and not page.warning.text()
+    slider = page.controls.rows["offset"].slider
+    for step in range(110, 160, 5):
+        slider.setValue(step)
+    settle(page, qtbot)
+    assert page.controls.misalignment.offset == pytest.approx(page.controls.rows["offset"].value)
+    assert page.view.result.misalignment == page.controls.misalignment
+    assert "edge contact" in page.warning.text() and page.warning.text().startswith("drive")
+    page.controls.sides.button("coast").click()
+    assert page.maps.name == "contact-pattern-coast" and "Pinion, convex" in page.maps.data.maps[0].title
+    page.controls.reset()
+    settle(page, qtbot)
+    assert page.view.result.misalignment == Misalignment() and not page.warning.text()
+    assert slider.value() == 100
+
+
+def test_a_thicker_compound_marks_more(page, qtbot) -> None:
+    page.controls.rows["offset"].set_value(0.05)
+    settle(page, qtbot)
+    thin = page.view.result.drive.pattern_share
+    page.controls.thickness.set_value(25.0)
+    settle(page, qtbot)
+    assert page.view.result.drive.pattern_share > thin
+
+
+def test_misalignment_beyond_any_contact_is_told(page, qtbot) -> None:
+    page.controls.rows["pinion_axial"].set_value(35.0)
+    settle(page, qtbot)
+    assert page.view is None and "no contact" in page.warning.text()
+    page.controls.reset()
+    settle(page, qtbot)
+    assert page.view is not None
+
+
+def test_another_design_is_analysed_anew(page, qtbot) -> None:
+    before = page.view
+    page.session.edit("pair.wheel_teeth", 43)
+    page.show_session(page.session)
+    qtbot.waitUntil(lambda: page.view is not before, timeout=20_000)
+    page.refresh_theme()
+    assert page.maps.data.maps

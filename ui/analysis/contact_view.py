@@ -1,0 +1,116 @@
+"""From a contact analysis to maps, a chart and words; no widget."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gearstudio.analysis.contact import contact_analysis
+from gearstudio.analysis.contact_placing import Misalignment
+from gearstudio.analysis.contact_result import ContactResult, Direction, FlankContact, FlankPattern
+from gearstudio.theory.cones import PairGeometry
+from gearstudio.theory.flank import involute_flank
+from ui.charts.raster import drawn_flat, frame, inside, outline, raster
+from ui.charts.records import Axis, ChartData, Reference, Series, Table
+from ui.formatting import MEMBER_TITLES, significant
+
+Floats = NDArray[np.float64]
+RASTER = (72, 220)
+NO_MATE = 1e9
+"""Stands for the gap where the mate has no flank [µm]."""
+LEAST_SPAN_ARCSEC = 0.01
+"""Less of a transmission error than this is not blown up to the height of the chart."""
+
+
+@dataclass(frozen=True)
+class PatternMap:
+    """The gap on a member's flank, brought to a raster; the path of contact as a polyline (n, 2)."""
+
+    title: str
+    image: Floats
+    extent: tuple[float, ...]
+    outline: Floats
+    path: Floats
+
+
+@dataclass(frozen=True)
+class ContactView:
+    """What the page shows of one analysis."""
+
+    result: ContactResult
+    patterns: dict[Direction, tuple[PatternMap, PatternMap]]
+
+
+def analyse(pair: PairGeometry, misalignment: Misalignment, thickness_um: float) -> ContactView:
+    """Analyse the contact and bring it into the form in which it is shown; raises GeometryError without contact."""
+    result = contact_analysis(pair, misalignment, thickness_um=thickness_um)
+    patterns = {
+        side.direction: (
+            _pattern(pair, side.pinion, side.path.pinion_points),
+            _pattern(pair, side.wheel, side.path.wheel_points),
+        )
+        for side in (result.drive, result.coast)
+    }
+    return ContactView(result, patterns)
+
+
+def _pattern(pair: PairGeometry, pattern: FlankPattern, path: Floats) -> PatternMap:
+    member = pair.member(pattern.member)
+    flank = involute_flank(member, pattern.flank)
+    edge = outline(*_flat(flank.points(*np.ix_(np.linspace(0, 1, 9), np.linspace(0, 1, 25))), member.pitch_angle))
+    x, y = drawn_flat(pattern.rho, np.radians(pattern.delta_deg), member.pitch_angle)
+    gap = np.where(np.isfinite(pattern.gap_um), pattern.gap_um, NO_MATE)
+    extent = frame(edge)
+    image = np.nan_to_num(raster(x, y, gap, RASTER, extent), nan=NO_MATE)
+    return PatternMap(
+        f"{MEMBER_TITLES[pattern.member]}, {pattern.flank} flank",
+        np.where(inside(edge, RASTER, extent), image, np.nan),
+        extent,
+        edge,
+        np.stack(_flat(path, member.pitch_angle), axis=-1),
+    )
+
+
+def _flat(points: Floats, pitch_angle: float) -> tuple[Floats, Floats]:
+    radius = np.hypot(points[..., 0], points[..., 1])
+    return drawn_flat(np.hypot(radius, points[..., 2]), np.arctan2(radius, points[..., 2]), pitch_angle)
+
+
+def error_chart(side: FlankContact) -> ChartData:
+    """Transmission error over three pitches."""
+    turn, error = side.turn_deg, side.error_arcsec
+    middle, half = float(error.max() + error.min()) / 2, LEAST_SPAN_ARCSEC / 2
+    pitch = float(np.degrees(side.roll.pitch))
+    return ChartData(
+        name=f"transmission-error-{side.direction}",
+        x=Axis("Turn of the pinion", "°"),
+        y=Axis("Transmission error", "arcsec"),
+        series=(Series("Transmission error", turn, error, side.direction, width=2.0),),
+        references=tuple(Reference(step * pitch, "", "faint", upright=True) for step in (-1, 0, 1)),
+        span_y=(middle - half, middle + half),
+    )
+
+
+def pattern_table(view: ContactView, direction: Direction) -> Table:
+    """The pattern's numbers on both members."""
+    side = view.result.direction(direction)
+    rows = [
+        (one.member, one.flank, *values)
+        for one in (side.pinion, side.wheel)
+        for values in zip(one.rho.ravel(), one.delta_deg.ravel(), one.gap_um.ravel(), strict=True)
+    ]
+    return Table(("member", "flank", "rho [mm]", "delta [deg]", "gap [µm]"), rows)
+
+
+def facts(view: ContactView, direction: Direction) -> tuple[tuple[str, str], ...]:
+    """The numbers in a line: name and value."""
+    side = view.result.direction(direction)
+    peak = side.peak_to_peak_arcsec
+    return (
+        ("Peak to peak", f"{significant(peak)}″" if peak >= 1e-4 else "< 0.0001″"),
+        ("Contact ratio", f"{side.contact_ratio:.2f}"),
+        ("Pattern", f"{100 * side.pattern_share:.0f} %"),
+        ("Backlash", f"{significant(view.result.play_mm * 1e3) if abs(view.result.play_mm) > 1e-6 else 0} µm"),
+    )

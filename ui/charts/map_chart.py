@@ -1,0 +1,205 @@
+"""Maps of flanks drawn flat, one or more below one another or side by side, with toe, heel, root and tip named."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+import pyqtgraph as pg
+from numpy.typing import NDArray
+from PySide6.QtCore import QPointF, QRectF, Qt, Signal
+from PySide6.QtGui import QPainter
+from PySide6.QtWidgets import QVBoxLayout, QWidget
+
+from ui.charts.colors import chart_color
+from ui.charts.export import Paint
+from ui.charts.parts import pen
+from ui.charts.records import Table
+from ui.theme import is_dark
+
+MOST_LINES = 2
+Floats = NDArray[np.float64]
+Colors = Callable[[Floats], NDArray[np.uint8]]
+"""From values, NaN where there is nothing, to RGBA, shape (..., 4)."""
+
+
+@dataclass(frozen=True)
+class Line:
+    """A polyline over a map, shape (n, 2)."""
+
+    points: Floats
+    color: str
+    width: float = 2.0
+
+
+@dataclass(frozen=True)
+class FlankMap:
+    """Values on a flank drawn flat.
+
+    Attributes
+    ----------
+    image : ndarray, shape (rows, columns)
+        Row 0 at the root; NaN outside.
+    extent : (x0, y0, width, height)
+    outline : ndarray, shape (n, 2)
+    describe : callable
+        What to say of a value when pointed at.
+    """
+
+    title: str
+    image: Floats
+    extent: tuple[float, ...]
+    outline: Floats
+    lines: tuple[Line, ...] = ()
+    describe: Callable[[float], str] = "{:.4g}".format
+
+
+@dataclass(frozen=True)
+class MapData:
+    """Some maps that are coloured alike.
+
+    ``colors`` is asked again when the theme changes, ``table`` when the numbers are copied or saved.
+    """
+
+    name: str
+    maps: tuple[FlankMap, ...] = ()
+    colors: Colors | None = field(default=None, compare=False)
+    across: bool = False
+    table: Callable[[], Table] = field(default=lambda: Table((), ()), compare=False)
+
+
+class MapChart(QWidget):
+    """Shows a :class:`MapData`, true to scale.
+
+    Signals
+    -------
+    pointed(str)
+        What is under the pointer; empty when nothing is.
+    """
+
+    pointed = Signal(str)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.data = MapData("map")
+        self._view = pg.GraphicsLayoutWidget()
+        self._view.ci.layout.setContentsMargins(2, 2, 2, 2)
+        self._view.ci.layout.setSpacing(2)
+        self._plots: list[_MapPlot] = []
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.addWidget(self._view)
+        self._view.scene().sigMouseMoved.connect(self._on_moved)
+        self.setMinimumSize(160, 120)
+        self.refresh_theme()
+
+    def show_data(self, data: MapData) -> None:
+        """Show other maps; the scale stays while their places are the same."""
+        before, self.data = self.data, data
+        if len(data.maps) != len(self._plots) or data.across != before.across:
+            self._view.clear()
+            self._plots = [_MapPlot() for _ in data.maps]
+            for index, plot in enumerate(self._plots):
+                self._view.addItem(plot, *((0, index) if data.across else (index, 0)))
+        self._fill()
+
+    def refresh_theme(self) -> None:
+        """Take the colours of the theme in use."""
+        self._view.setBackground(chart_color("surface"))
+        self._fill()
+
+    @property
+    def paint(self) -> Paint:
+        """A function that draws the maps as they are into any painter."""
+
+        def draw(painter: QPainter, area: QRectF) -> None:
+            painter.fillRect(area, chart_color("surface"))
+            self._view.scene().prepareForPaint()
+            self._view.render(painter, area, self._view.viewport().rect(), Qt.AspectRatioMode.IgnoreAspectRatio)
+
+        return draw
+
+    @property
+    def table(self) -> Table:
+        """The numbers shown."""
+        return self.data.table()
+
+    @property
+    def name(self) -> str:
+        """For file names."""
+        return self.data.name
+
+    def _fill(self) -> None:
+        if self.data.colors is not None:
+            for plot, one in zip(self._plots, self.data.maps, strict=True):
+                plot.show_map(one, self.data.colors(one.image))
+
+    def _on_moved(self, place: QPointF) -> None:
+        for plot, one in zip(self._plots, self.data.maps, strict=True):
+            if plot.vb.sceneBoundingRect().contains(place):
+                value = _value_at(one, plot.vb.mapSceneToView(place))
+                self.pointed.emit(f"{one.title}: {one.describe(value)}" if value is not None else "")
+                return
+        self.pointed.emit("")
+
+
+class _MapPlot(pg.PlotItem):
+    """One map without axes."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        for side in ("left", "bottom"):
+            self.hideAxis(side)
+        self.hideButtons()
+        self.setMenuEnabled(False)
+        self.setMouseEnabled(False, False)
+        self.vb.setAspectLocked(True)
+        self.vb.setDefaultPadding(0.02)
+        self._picture = pg.ImageItem(axisOrder="row-major")
+        self._outline = pg.PlotCurveItem()
+        self._words = [pg.TextItem(text, anchor=anchor) for text, anchor in _WORDS]
+        self._lines = [pg.PlotCurveItem() for _ in range(MOST_LINES)]
+        self._drawn: tuple[object, ...] = ()
+        for item in (self._picture, self._outline, *self._lines, *self._words):
+            self.addItem(item)
+
+    def show_map(self, one: FlankMap, colors: NDArray[np.uint8]) -> None:
+        """Draw a map; words and edge only when they are others."""
+        self._picture.setImage(colors, autoLevels=False)
+        self._picture.setRect(QRectF(*one.extent))
+        for index, item in enumerate(self._lines):
+            line = one.lines[index] if index < len(one.lines) else None
+            points = np.empty((0, 2)) if line is None else line.points
+            item.setData(*points.T, pen=None if line is None else pen(chart_color(line.color), width=line.width))
+        drawn = (one.title, one.outline.tobytes(), is_dark())
+        if drawn != self._drawn:
+            self._drawn = drawn
+            self._frame(one)
+
+    def _frame(self, one: FlankMap) -> None:
+        self.setTitle(one.title, color=chart_color("text"), size="9pt")
+        self._outline.setData(*one.outline.T, pen=pen(chart_color("muted"), width=1.2))
+        (x, y), (width, height) = one.outline.min(axis=0), np.ptp(one.outline, axis=0)
+        places = ((x, y + height / 2), (x + width, y + height / 2), (x + width / 2, y), (x + width / 2, y + height))
+        for word, place in zip(self._words, places, strict=True):
+            word.setPos(*place)
+            word.setColor(chart_color("muted"))
+        self.vb.setRange(QRectF(x - 0.15 * width, y - 0.12 * height, 1.3 * width, 1.24 * height), padding=0)
+
+
+_WORDS: Sequence[tuple[str, tuple[float, float]]] = (
+    ("toe", (1, 0.5)),
+    ("heel", (0, 0.5)),
+    ("root", (0.5, 0.35)),
+    ("tip", (0.5, 0.65)),
+)
+
+
+def _value_at(one: FlankMap, place: QPointF) -> float | None:
+    x, y, width, height = one.extent
+    rows, columns = one.image.shape
+    row, column = int((place.y() - y) / height * rows), int((place.x() - x) / width * columns)
+    if not (0 <= row < rows and 0 <= column < columns) or np.isnan(one.image[row, column]):
+        return None
+    return float(one.image[row, column])
