@@ -10,7 +10,7 @@ from ui.formatting import choice_title, number_text
 
 if TYPE_CHECKING:
     from gearstudio.design import Design
-    from gearstudio.theory.cones import PairGeometry
+    from gearstudio.theory.cones import MemberGeometry, PairGeometry
 
 
 def idle_fields(draft: Mapping[str, Any]) -> dict[str, str]:
@@ -31,6 +31,18 @@ def idle_fields(draft: Mapping[str, Any]) -> dict[str, str]:
 def derived_hints(design: Design, pair: PairGeometry) -> dict[str, str]:
     """Values that the program takes for empty optional fields, as grey text."""
     hints = {"pair.face_width": number_text(round(pair.wheel.face_width, 3))}
-    for member in ("pinion", "wheel"):
-        hints[f"blank.{member}.bore_diameter"] = "derived"
+    for member in (pair.pinion, pair.wheel):
+        hints |= _blank_hints(design, member)
     return hints
+
+
+def _blank_hints(design: Design, member: MemberGeometry) -> dict[str, str]:
+    """The sizes of a member's body that its empty fields stand for."""
+    from gearstudio.theory.blank import BlankError, BlankSizes, blank_outline
+
+    try:
+        used = blank_outline(member, BlankSizes(**getattr(design.blank, member.name).model_dump())).sizes
+    except BlankError:
+        return {}
+    names = ("bore_diameter", "hub_diameter", "hub_length", "mounting_distance", "web_thickness")
+    return {f"blank.{member.name}.{name}": number_text(round(getattr(used, name), 3)) for name in names}

@@ -9,6 +9,7 @@ from PySide6.QtCore import QObject, Signal
 
 from ui.analysis.presenter import AnalysisPresenter
 from ui.applicability import derived_hints, idle_fields
+from ui.blanks import Blanks
 from ui.builds import Builds
 from ui.presenter import Presenter, view_title
 from ui.session import Key, Session
@@ -45,6 +46,7 @@ class Controller(QObject):
         self.builds = Builds(session, self)
         self.presenter = Presenter(session, window.area, self)
         self.analysis = AnalysisPresenter(session, window.analysis, self)
+        self.blanks = Blanks(session, window.form, self)
         self.solid_mode = SolidMode(session, window, self.presenter, self)
         self.runner: JobRunner | None = None
         self._connect_form()
@@ -233,6 +235,7 @@ class Controller(QObject):
         window.table.mark(session.method, session.variant)
         self.presenter.redraw_soon()
         self.builds.build_missing()
+        self.solid_mode.follow_selection()
 
     def _on_results_changed(self, key: Key | None) -> None:
         session = self.session

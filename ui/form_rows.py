@@ -114,6 +114,10 @@ class Section(QWidget):
         """Append a row."""
         self._rows.addWidget(row)
 
+    def place_on_top(self, widget: QWidget) -> None:
+        """Put something above the rows."""
+        self._rows.insertWidget(0, widget)
+
     def set_open(self, opened: bool) -> None:
         """Unfold or fold."""
         self._title.setChecked(opened)

@@ -86,6 +86,10 @@ class ParameterForm(QWidget):
         self._summarise(issues)
         self._message_timer.start()
 
+    def place_on_top(self, group: str, widget: QWidget) -> None:
+        """Put something above the rows of a group."""
+        self._sections[group].place_on_top(widget)
+
     def show_first_problem(self) -> None:
         """Scroll to the first field with a problem and put the cursor there."""
         wrong = [f for f in self.rows if _worst(self._issues.get(f, [])) == "error"]

@@ -45,6 +45,7 @@ class SolidMode(QObject):
         self.measuring: SolidMeasure | None = None
         self._flank_view: tuple[Camera, str] | None = None
         self._to_fit = self._turning = False
+        self._fitted: Camera | None = None
         self._redraw = QTimer(self, singleShot=True, interval=REDRAW_PAUSE_MS)
         self._redraw.timeout.connect(self.redraw)
         self._still = QTimer(self, singleShot=True, interval=STILL_MS)
@@ -56,7 +57,6 @@ class SolidMode(QObject):
         self._panel.section_side_wanted.connect(self._choose_side)
         self._panel.measure_switched.connect(self._on_measure)
         self.solids.changed.connect(self.redraw_soon)
-        session.selection_changed.connect(self._follow_selection)
         session.design_changed.connect(self.redraw_soon)
 
     @property
@@ -104,7 +104,7 @@ class SolidMode(QObject):
         self._to_fit = True
         self._presenter.active = mode == "flanks"
         self._show_mode()
-        self._follow_selection()
+        self.follow_selection()
         if self.measuring is not None:
             self.measuring.clear()
         if mode == "flanks":
@@ -143,7 +143,8 @@ class SolidMode(QObject):
             area.mesh_bar.pause()
             area.mesh_bar.setVisible(self.mode == "pair")
 
-    def _follow_selection(self) -> None:
+    def follow_selection(self) -> None:
+        """Member, method or variant may be another: ask for its solids; a solid is of one method."""
         bar, session, solid = self._window.method_bar, self._session, self.mode != "flanks"
         bar.methods.button(ALL).setEnabled(not solid)
         bar.members.setEnabled(self.mode != "pair")
@@ -171,18 +172,22 @@ class SolidMode(QObject):
         from ui.solid_layers import SolidOptions
 
         chosen, options = self._panel.section, SolidOptions(self._panel.edges, self._panel.deviation)
-        before, self.view.plane = self.view.gears, None if chosen is None else Plane(*chosen)
+        grid, before = self.view.grid, self.view.gears
+        self.view.plane = None if chosen is None else Plane(*chosen)
         words = titles(self.solids, self.keys)
         self.view.show(self._session.pair, self.keys, self.solids.built, options, words, self._turning)
-        if self.view.gears != before and self.measuring is not None:
-            self.measuring.clear()
+        if self.view.gears != before:
+            self._to_fit = self._to_fit or grid.viewport.look is self._fitted
+            if self.measuring is not None:
+                self.measuring.clear()
         extent = self.view.extent(self._panel.axis)
         if extent is not None:
             self._panel.set_section_range(*extent)
         self._show_colors()
         if self._to_fit:
             self._to_fit = len(self.view.gears) < len(self.keys)
-            self.view.grid.set_view("pair" if self.mode == "pair" else "iso")
+            grid.set_view("pair" if self.mode == "pair" else "iso")
+            self._fitted = grid.viewport.look
 
     def _show_panel(self) -> None:
         built = self.solids.built
