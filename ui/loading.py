@@ -39,12 +39,16 @@ class Loader(QObject):
         A stage is complete.
     failed(str, str, str)
         Stage, a line for the user, and the traceback.
+    finished()
+        Every stage was tried.
     """
 
     loaded = Signal(str)
     failed = Signal(str, str, str)
+    finished = Signal()
     _imported = Signal(str)
     _broke = Signal(str, str, str)
+    _ended = Signal()
 
     def __init__(self, stages: Mapping[str, Sequence[str]] = STAGES, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -53,6 +57,7 @@ class Loader(QObject):
         self._stop = threading.Event()
         self._imported.connect(self._on_imported, Qt.ConnectionType.QueuedConnection)
         self._broke.connect(self._on_broke, Qt.ConnectionType.QueuedConnection)
+        self._ended.connect(self._on_ended, Qt.ConnectionType.QueuedConnection)
 
     @Slot()
     def start(self) -> None:
@@ -77,6 +82,7 @@ class Loader(QObject):
                 self._broke.emit(stage, f"{type(error).__name__}: {error}", traceback.format_exc())
                 continue
             self._imported.emit(stage)
+        self._ended.emit()
 
     @Slot(str)
     def _on_imported(self, stage: str) -> None:
@@ -87,3 +93,8 @@ class Loader(QObject):
     def _on_broke(self, stage: str, text: str, details: str) -> None:
         if not self._stop.is_set():
             self.failed.emit(stage, text, details)
+
+    @Slot()
+    def _on_ended(self) -> None:
+        if not self._stop.is_set():
+            self.finished.emit()

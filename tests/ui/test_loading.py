@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import gc
 import threading
 
 import pytest
 
+from ui.app import keep_what_is_loaded
 from ui.loading import Loader
 
 
@@ -30,6 +32,22 @@ def test_stages_come_in_order_and_a_failed_one_stops_no_other(qtbot, heard) -> N
     qtbot.waitUntil(lambda: len(heard) == 3, timeout=5000)
     assert heard[0] == ("first",) and heard[2] == ("last",)
     assert heard[1][0] == "broken" and "no_such_module" in heard[1][1] and "Traceback" in heard[1][2]
+
+
+def test_the_end_is_told_last(qtbot, heard) -> None:
+    loader = Loader({"first": ("json",), "broken": ("no_such_module",)})
+    listen(loader, heard)
+    loader.finished.connect(lambda: heard.append(("finished",)))
+    loader.start()
+    qtbot.waitUntil(lambda: len(heard) == 3, timeout=5000)
+    assert heard[-1] == ("finished",)
+
+
+def test_what_is_loaded_is_not_looked_through_again() -> None:
+    gc.disable()
+    keep_what_is_loaded()
+    assert gc.isenabled() and gc.get_freeze_count() > 0
+    gc.unfreeze()
 
 
 def test_nothing_is_said_after_stopping(qtbot, heard) -> None:

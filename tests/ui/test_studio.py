@@ -208,7 +208,8 @@ def test_titles_tell_how_a_result_stands(studio: Studio) -> None:
 
 
 def test_the_demonstration_leaves_a_picture(tmp_path: Path) -> None:
-    environment = os.environ | {"XDG_CONFIG_HOME": str(tmp_path), "XDG_DATA_HOME": str(tmp_path)}
+    own = {"XDG_CONFIG_HOME": str(tmp_path), "XDG_DATA_HOME": str(tmp_path), "PYTHONFAULTHANDLER": "1"}
+    environment = os.environ | own
     command = [sys.executable, "main.py", "--demo", str(tmp_path)]
     done = subprocess.run(command, cwd=ROOT, env=environment, capture_output=True, text=True, timeout=200, check=False)
     assert done.returncode == 0, done.stderr
