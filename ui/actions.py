@@ -51,7 +51,7 @@ COMMANDS = (
     Command("open", "&Open design…", "Open a design file (.gear.toml)", Keys.Open, "open"),
     Command("save", "&Save", "Save the design", Keys.Save, "save"),
     Command("save_as", "Save &as…", "Save the design under another name", "Ctrl+Shift+S"),
-    Command("export", "&Export flanks…", "Write the flanks of a method as STEP", "Ctrl+E", "export"),
+    Command("export", "&Export…", "Write flanks, teeth, gears or the pair for other programs", "Ctrl+E", "export"),
     Command("screenshot", "S&creenshot…", "Save a picture of the window", "F12", "camera"),
     Command("quit", "&Quit", "", Keys.Quit),
     Command("undo", "&Undo", "Take back the last edit", Keys.Undo, "undo"),

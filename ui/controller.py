@@ -11,6 +11,7 @@ from ui.analysis.presenter import AnalysisPresenter
 from ui.applicability import derived_hints, idle_fields
 from ui.blanks import Blanks
 from ui.builds import Builds
+from ui.export_dialog import export_report
 from ui.presenter import Presenter, view_title
 from ui.session import Key, Session
 from ui.solid_mode import SolidMode
@@ -271,8 +272,8 @@ class Controller(QObject):
     def _on_export_done(self, job: Job, files: Any) -> None:
         if job.purpose != "export":
             return
-        text = "Wrote " + ", ".join(f"{file.path} ({file.size / 1000:.0f} kB)" for file in files)
-        self.window.messages.show_message("info", text, topic="export")
+        text, details = export_report(files)
+        self.window.messages.show_message("info", text, details, topic="export")
 
     def _on_export_failed(self, job: Job, text: str, details: str) -> None:
         if job.purpose != "export":

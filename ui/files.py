@@ -127,8 +127,9 @@ class Files(QObject):
         return answer == Answer.Discard or (answer == Answer.Save and self.save())
 
     def export(self) -> None:
-        """Ask which flanks go where, and request it."""
-        dialog = ExportDialog(self._session, self._folder, self._window)
+        """Ask what goes where, and request it."""
+        mode = self._window.commands.modes.checkedAction().data()
+        dialog = ExportDialog(self._session, self._folder, self._window, self._window.settings, mode)
         if dialog.exec():
             job = dialog.job()
             self._folder = str(job.directory)

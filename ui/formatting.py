@@ -16,6 +16,7 @@ NUMBER = re.compile(r"[+-]?(\d+([.,]\d*)?|[.,]\d+)([eE][+-]?\d+)?", re.ASCII)
 METHOD_TITLES = {info.id: info.title for info in METHOD_INFOS}
 VARIANT_TITLES = {"published": "Published", "optimised": "Optimised"}
 MEMBER_TITLES = {"pinion": "Pinion", "wheel": "Wheel"}
+CONSTRUCTION_TITLES = {"assemble": "Assembled from its faces", "cut": "Cut from the blank (slow)"}
 CHOICE_TITLES = {
     "normal": "Normal, mean point",
     "transverse": "Transverse",

@@ -80,6 +80,11 @@ class MainWindow(QMainWindow):
         self.setMinimumSize(960, 600)
 
     @property
+    def settings(self) -> QSettings | None:
+        """Where choices are remembered; None where nothing is to be."""
+        return self._settings
+
+    @property
     def messages(self) -> MessageBar:
         """The message bar over the views."""
         return self.area.messages

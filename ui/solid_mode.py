@@ -52,6 +52,7 @@ class SolidMode(QObject):
         self._still.timeout.connect(self._on_still)
         self._panel.build_requested.connect(self.solids.build)
         self._panel.automatic_switched.connect(self.solids.set_automatic)
+        self._panel.construction_chosen.connect(self.solids.set_construction)
         self._panel.looks_changed.connect(self.redraw)
         self._panel.section_changed.connect(self._on_section)
         self._panel.section_side_wanted.connect(self._choose_side)

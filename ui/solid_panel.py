@@ -5,6 +5,7 @@ from __future__ import annotations
 from PySide6.QtCore import QSignalBlocker, Qt, Signal
 from PySide6.QtWidgets import (
     QCheckBox,
+    QComboBox,
     QFrame,
     QHBoxLayout,
     QLabel,
@@ -18,6 +19,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from ui.formatting import CONSTRUCTION_TITLES
 from ui.method_bar import Segments
 from ui.properties_table import PropertiesTable
 from ui.status import Dot
@@ -33,6 +35,7 @@ class SolidPanel(QWidget):
     Signals
     -------
     build_requested()
+    construction_chosen(str)
     automatic_switched(bool)
     looks_changed()
         Edges or deviation.
@@ -44,6 +47,7 @@ class SolidPanel(QWidget):
     """
 
     build_requested = Signal()
+    construction_chosen = Signal(str)
     automatic_switched = Signal(bool)
     looks_changed = Signal()
     section_changed = Signal()
@@ -165,6 +169,14 @@ class SolidPanel(QWidget):
         made.addLayout(_row(self._lamp, self._state, self._build, stretch=1))
         made.addWidget(self._progress)
         made.addWidget(self.automatic)
+        self.construction = QComboBox()
+        self.construction.setToolTip("Faces joined into one shell, or tooth spaces cut from the blank by Booleans")
+        for name, title in CONSTRUCTION_TITLES.items():
+            self.construction.addItem(title, name)
+        self.construction.currentIndexChanged.connect(
+            lambda _index: self.construction_chosen.emit(self.construction.currentData())
+        )
+        made.addWidget(self.construction)
         return made
 
     def _make_looks(self) -> QVBoxLayout:
