@@ -95,8 +95,7 @@ def page(qtbot, theme):
 
 
 def settle(page, qtbot) -> None:
-    with qtbot.waitSignal(page.work.idle, timeout=20_000):
-        pass
+    qtbot.waitUntil(lambda: not page.work.busy, timeout=30_000)
     qtbot.wait(50)
 
 

@@ -44,7 +44,13 @@ class Newest(QObject):
         self._changed = threading.Condition()
         self._waiting: tuple[object, Work] | None = None
         self._thread: threading.Thread | None = None
-        self._closed = False
+        self._closed = self._running = False
+
+    @property
+    def busy(self) -> bool:
+        """Whether anything waits or is being done."""
+        with self._changed:
+            return self._running or self._waiting is not None
 
     def request(self, label: object, work: Work) -> None:
         """Ask for work; what still waits is forgotten."""
@@ -72,9 +78,10 @@ class Newest(QObject):
                 self._changed.wait_for(lambda: self._closed or self._waiting is not None)
                 if self._waiting is None:
                     return
-                (label, work), self._waiting = self._waiting, None
+                (label, work), self._waiting, self._running = self._waiting, None, True
             self._do(label, work)
             with self._changed:
+                self._running = False
                 if self._closed:
                     return
                 if self._waiting is None:

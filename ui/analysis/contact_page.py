@@ -20,7 +20,8 @@ from ui.analysis.contact_view import NO_MATE, ContactView, analyse, error_chart,
 from ui.charts.chart import Chart
 from ui.charts.colors import chart_color
 from ui.charts.frame import ChartFrame
-from ui.charts.map_chart import FlankMap, Line, MapChart, MapData
+from ui.charts.map_chart import MapChart
+from ui.charts.maps import FlankMap, Line, MapData
 from ui.formatting import significant
 from ui.session import Session
 from ui.theme import tokens

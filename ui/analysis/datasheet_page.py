@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from PySide6.QtCore import QDir, QSize, QStandardPaths, Qt, Signal
+from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import (
     QFileDialog,
@@ -25,6 +25,7 @@ from gearstudio.files import write_text
 from ui.analysis.explanation import Explanation
 from ui.analysis.published_table import PublishedTable
 from ui.analysis.sheet_table import SheetTable
+from ui.charts.frame import documents
 from ui.method_bar import Segments
 from ui.session import Session
 from ui.theme import set_icon
@@ -128,9 +129,8 @@ class DatasheetPage(QWidget):
 
     def ask_and_save(self, format_: str) -> None:
         """Ask for a name and save."""
-        folder = QStandardPaths.writableLocation(QStandardPaths.StandardLocation.DocumentsLocation) or QDir.homePath()
         suffix = next(suffix for name, _, suffix in FORMATS if name == format_)
-        start = f"{folder}/{self._name} data sheet{suffix}"
+        start = f"{documents()}/{self._name} data sheet{suffix}"
         name, _ = QFileDialog.getSaveFileName(self, "Save data sheet", start, f"*{suffix}")
         if name:
             self.save(Path(name), format_)

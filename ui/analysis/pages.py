@@ -9,9 +9,11 @@ from PySide6.QtWidgets import QWidget
 from ui.analysis.charts_page import ChartsPage
 from ui.analysis.contact_page import ContactPage
 from ui.analysis.datasheet_page import DatasheetPage
+from ui.analysis.measurement_page import MeasurementPage
 
 FACTORIES: Mapping[str, Callable[[], QWidget]] = {
     "charts": ChartsPage,
     "contact": ContactPage,
     "datasheet": DatasheetPage,
+    "measurement": MeasurementPage,
 }

@@ -17,6 +17,10 @@ _LIGHT = {
     "coast": "#c2570c",
     "pattern": "#1f6fd0",
     "path": "#c2185b",
+    "concave": "#0b62b8",
+    "convex": "#c2570c",
+    "added": "#c2480f",
+    "missing": "#1f5fc4",
 }
 _DARK = {
     "rotating_line": "#6db1ff",
@@ -28,6 +32,10 @@ _DARK = {
     "coast": "#ff9f57",
     "pattern": "#5b9dfa",
     "path": "#ff6fa3",
+    "concave": "#6db1ff",
+    "convex": "#ff9f57",
+    "added": "#ff9456",
+    "missing": "#6aa8ff",
 }
 
 

@@ -15,6 +15,11 @@ from ui.charts.records import Table
 from ui.theme import set_icon
 
 
+def documents() -> str:
+    """The folder in which a dialog for files begins."""
+    return QStandardPaths.writableLocation(QStandardPaths.StandardLocation.DocumentsLocation) or QDir.homePath()
+
+
 class Drawable(Protocol):
     """A widget that shows a chart."""
 
@@ -77,8 +82,7 @@ class ChartFrame(QWidget):
 
     def ask_and_save(self) -> None:
         """Ask for a name and save."""
-        folder = QStandardPaths.writableLocation(QStandardPaths.StandardLocation.DocumentsLocation) or QDir.homePath()
-        name, _ = QFileDialog.getSaveFileName(self, "Save chart", f"{folder}/{self.chart.name}.png", FILTERS)
+        name, _ = QFileDialog.getSaveFileName(self, "Save chart", f"{documents()}/{self.chart.name}.png", FILTERS)
         if name:
             self.save(Path(name))
 

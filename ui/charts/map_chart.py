@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Sequence
 
 import numpy as np
 import pyqtgraph as pg
@@ -14,59 +13,12 @@ from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from ui.charts.colors import chart_color
 from ui.charts.export import Paint
+from ui.charts.maps import FlankMap, MapData
 from ui.charts.parts import pen
 from ui.charts.records import Table
 from ui.theme import is_dark
 
-MOST_LINES = 2
-Floats = NDArray[np.float64]
-Colors = Callable[[Floats], NDArray[np.uint8]]
-"""From values, NaN where there is nothing, to RGBA, shape (..., 4)."""
-
-
-@dataclass(frozen=True)
-class Line:
-    """A polyline over a map, shape (n, 2)."""
-
-    points: Floats
-    color: str
-    width: float = 2.0
-
-
-@dataclass(frozen=True)
-class FlankMap:
-    """Values on a flank drawn flat.
-
-    Attributes
-    ----------
-    image : ndarray, shape (rows, columns)
-        Row 0 at the root; NaN outside.
-    extent : (x0, y0, width, height)
-    outline : ndarray, shape (n, 2)
-    describe : callable
-        What to say of a value when pointed at.
-    """
-
-    title: str
-    image: Floats
-    extent: tuple[float, ...]
-    outline: Floats
-    lines: tuple[Line, ...] = ()
-    describe: Callable[[float], str] = "{:.4g}".format
-
-
-@dataclass(frozen=True)
-class MapData:
-    """Some maps that are coloured alike.
-
-    ``colors`` is asked again when the theme changes, ``table`` when the numbers are copied or saved.
-    """
-
-    name: str
-    maps: tuple[FlankMap, ...] = ()
-    colors: Colors | None = field(default=None, compare=False)
-    across: bool = False
-    table: Callable[[], Table] = field(default=lambda: Table((), ()), compare=False)
+MOST_LINES = 4
 
 
 class MapChart(QWidget):
@@ -171,7 +123,8 @@ class _MapPlot(pg.PlotItem):
         for index, item in enumerate(self._lines):
             line = one.lines[index] if index < len(one.lines) else None
             points = np.empty((0, 2)) if line is None else line.points
-            item.setData(*points.T, pen=None if line is None else pen(chart_color(line.color), width=line.width))
+            look = None if line is None else pen(chart_color(line.color), width=line.width)
+            item.setData(*points.T, pen=look, connect="pairs" if line is not None and line.pairs else "all")
         drawn = (one.title, one.outline.tobytes(), is_dark())
         if drawn != self._drawn:
             self._drawn = drawn
@@ -181,11 +134,13 @@ class _MapPlot(pg.PlotItem):
         self.setTitle(one.title, color=chart_color("text"), size="9pt")
         self._outline.setData(*one.outline.T, pen=pen(chart_color("muted"), width=1.2))
         (x, y), (width, height) = one.outline.min(axis=0), np.ptp(one.outline, axis=0)
-        places = ((x, y + height / 2), (x + width, y + height / 2), (x + width / 2, y), (x + width / 2, y + height))
+        middle, beyond = x + width / 2, 0.7 * one.reach
+        places = (x, y + height / 2), (x + width, y + height / 2), (middle, y - beyond), (middle, y + height + beyond)
         for word, place in zip(self._words, places, strict=True):
             word.setPos(*place)
             word.setColor(chart_color("muted"))
-        self.vb.setRange(QRectF(x - 0.15 * width, y - 0.12 * height, 1.3 * width, 1.24 * height), padding=0)
+        low, high = y - max(0.12 * height, one.reach), y + height + max(0.12 * height, one.reach)
+        self.vb.setRange(QRectF(x - 0.15 * width, low, 1.3 * width, high - low), padding=0)
 
 
 _WORDS: Sequence[tuple[str, tuple[float, float]]] = (

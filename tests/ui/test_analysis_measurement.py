@@ -1,0 +1,151 @@
+"""The measurement page: points in, errors and charts out; what cannot be used is told."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from gearstudio.design import Design
+from gearstudio.theory.cones import pair_geometry
+from gearstudio.theory.flank import FLANKS, involute_flank
+from ui.analysis.measurement_view import measured, pitch_chart, points_table, teeth, topography
+from ui.session import Session
+
+pytestmark = pytest.mark.ui
+PAIR = pair_geometry(Design())
+
+
+def points(teeth: int, crown_um: float = 6.0, flanks=FLANKS) -> np.ndarray:
+    """Of a turned wheel with crowned flanks, on a grid of 5 by 9."""
+    member, found = PAIR.wheel, []
+    u, v = np.meshgrid(np.linspace(0.06, 0.94, 5), np.linspace(0.06, 0.94, 9), indexing="ij")
+    for name in flanks:
+        flank = involute_flank(member, name)
+        error = -crown_um * 1e-3 * (2 * v - 1) ** 2
+        one = (flank.points(u, v) + error[..., None] * flank.normals(u, v)).reshape(-1, 3)
+        for tooth in range(teeth):
+            c, s = np.cos(tooth * member.pitch + 0.002), np.sin(tooth * member.pitch + 0.002)
+            found.append(one @ np.array([[c, s, 0], [-s, c, 0], [0, 0, 1]]))
+    return np.concatenate(found)
+
+
+@pytest.fixture
+def file(tmp_path: Path) -> Path:
+    path = tmp_path / "wheel.csv"
+    np.savetxt(path, points(4), delimiter=",", header="x,y,z", comments="")
+    return path
+
+
+@pytest.fixture
+def page(qtbot, theme):
+    from ui.analysis.measurement_page import MeasurementPage
+
+    made = MeasurementPage()
+    qtbot.addWidget(made)
+    made.resize(1000, 330)
+    made.show()
+    session = Session()
+    session.load(Design())
+    made.session = session
+    made.show_session(session)
+    yield made
+    made.close_page()
+
+
+def settle(page, qtbot) -> None:
+    qtbot.waitUntil(lambda: not page.work.busy, timeout=30_000)
+    qtbot.wait(50)
+
+
+def cells(page) -> dict[str, list[str]]:
+    table = page.table.table
+    rows = [[table.item(r, c).text() if table.item(r, c) else "" for c in range(3)] for r in range(table.rowCount())]
+    return {name: values for name, *values in rows}
+
+
+def test_a_file_is_measured_and_its_errors_are_named(page, qtbot, file: Path) -> None:
+    page.open_path(file)
+    settle(page, qtbot)
+    shown = cells(page)
+    assert shown["Points"][0] == "360" and shown["Teeth"][0] == "4 of 40"
+    assert [float(text) for text in shown["Lengthwise crown"]] == pytest.approx([6.0, 6.0], abs=0.1)
+    assert page.teeth.count() == 5 and page.teeth.isVisible()
+    assert "Longest" in page.frame.hint.text() and len(page.bars.data.maps) == 2
+    page.show_view("pitch")
+    assert not page.teeth.isVisible() and len(page.pitch.data.series) == 4
+    assert page.frame.chart is page.pitch
+    page.refresh_theme()
+
+
+def test_the_best_fit_can_be_switched_off(page, qtbot, file: Path) -> None:
+    page.open_path(file)
+    settle(page, qtbot)
+    assert float(np.degrees(page.measurement.result.pose.turn)) == pytest.approx(np.degrees(0.002), abs=5e-3)
+    page.turn.setChecked(False)
+    settle(page, qtbot)
+    assert page.measurement.result.pose.turn == 0
+    assert page.measurement.result.statistics.max_um > 50
+
+
+def test_points_that_cannot_be_used_are_told_with_the_reason(page, qtbot, tmp_path: Path) -> None:
+    cases = {
+        "inch.csv": (points(2) / 25.4, "inches"),
+        "nan.csv": (np.full((5, 3), np.nan), "not a finite number"),
+        "columns.csv": (np.ones((5, 4)), "4 columns"),
+        "elsewhere.csv": (np.random.default_rng(1).uniform(-50, 50, (300, 3)), "%"),
+    }
+    for name, (table, words) in cases.items():
+        np.savetxt(tmp_path / name, table, delimiter=",")
+        page.open_path(tmp_path / name)
+        settle(page, qtbot)
+        assert words in page.file.text(), name
+        assert page.measurement is None and page.table.isHidden() and not page.bars.data.maps
+    page.open_path(tmp_path / "missing.csv")
+    settle(page, qtbot)
+    assert "missing.csv" in page.file.text()
+
+
+def test_another_member_is_measured_anew(page, qtbot, file: Path) -> None:
+    page.open_path(file)
+    settle(page, qtbot)
+    page.session.select(member="pinion")
+    page.show_session(page.session)
+    settle(page, qtbot)
+    assert "they fit the wheel" in page.file.text()
+    page.session.select(member="wheel")
+    page.show_session(page.session)
+    settle(page, qtbot)
+    assert cells(page)["Points"][0] == "360"
+
+
+def test_the_nominal_grid_reads_back(page, qtbot, tmp_path: Path) -> None:
+    page.save_nominal(tmp_path / "nominal.csv")
+    page.open_path(tmp_path / "nominal.csv")
+    settle(page, qtbot)
+    assert page.measurement.result.statistics.max_um < 1e-6
+    assert "no pitch" in page.pitch.data.note
+
+
+def test_bars_stand_on_the_measured_grid(file: Path) -> None:
+    done = measured(PAIR, "wheel", file, None, (True, True), lambda stage, part: None)
+    assert teeth(done) == [0, 1, 2, 3]
+    data, largest = topography(done, 1)
+    assert 1.0 < largest <= 6.0
+    net, tips, added, missing = data.maps[0].lines
+    assert len(net.points) == 2 * (5 * 8 + 4 * 9) == len(tips.points)
+    assert len(added.points) + len(missing.points) == 2 * 45
+    lengths = np.abs(np.diff(np.concatenate([added.points, missing.points]).reshape(-1, 2, 2)[..., 1], axis=1))
+    assert lengths.max() == pytest.approx(data.maps[0].reach, rel=0.2)
+    assert len(points_table(done.result).rows) == 360 == len(data.table().rows)
+    assert len(pitch_chart(done).series) == 4
+
+
+def test_scattered_points_and_one_flank_are_drawn_too(tmp_path: Path) -> None:
+    flank, random = involute_flank(PAIR.wheel, "convex"), np.random.default_rng(2)
+    np.savetxt(tmp_path / "s.dat", flank.points(*random.uniform(0.02, 0.98, (2, 2000))))
+    done = measured(PAIR, "wheel", tmp_path / "s.dat", None, (True, True), lambda stage, part: None)
+    data, _ = topography(done)
+    concave, convex = data.maps
+    assert concave.title.endswith("not measured") and len(convex.lines[0].points) > 100

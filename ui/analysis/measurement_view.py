@@ -1,0 +1,207 @@
+"""From measured points to topography, pitch chart and words; no widget."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gearstudio.analysis.measurement import MeasuredPoints, MeasurementResult, measure
+from gearstudio.exchange.measured import read_measured
+from gearstudio.theory.cones import MemberGeometry, PairGeometry
+from gearstudio.theory.flank import FLANKS, FlankName, involute_flank
+from ui.charts.maps import FlankMap, Line, MapData
+from ui.charts.raster import drawn_flat, frame, outline
+from ui.charts.records import Axis, ChartData, Entry, Series, Table
+from ui.formatting import fixed, micrometres
+
+Floats = NDArray[np.float64]
+CELLS = (7, 13)
+"""Points that lie on no grid are drawn as means over so many cells along the profile and the face."""
+MOST_LINES, LINE_GAP = 32, 0.02
+SHEAR, TILT, LONGEST_BAR = 0.24, 0.36, 0.2
+"""How the flank is drawn, and the length of the longest bar: parts of the face width."""
+READING = 0.2
+ALL_TEETH = -1
+
+
+@dataclass(frozen=True)
+class Measurement:
+    """Points of a file and what came out of them."""
+
+    path: Path
+    chunks: tuple[MeasuredPoints, ...]
+    member: MemberGeometry
+    result: MeasurementResult
+
+
+def measured(
+    pair: PairGeometry,
+    member: str,
+    path: Path,
+    chunks: tuple[MeasuredPoints, ...] | None,
+    fit: tuple[bool, bool],
+    report: Callable[[str, float], None],
+) -> Measurement:
+    """Read a file, unless its points are given, and compare it with a member.
+
+    Raises
+    ------
+    FileError, GeometryError
+        The file cannot be used, or the points are not of this gear; with the reason.
+    """
+    if chunks is None:
+        chunks = tuple(read_measured(path, lambda part: report("reading", READING * part)))
+    result = measure(pair, member, chunks, turn=fit[0], shift=fit[1], report=report)
+    return Measurement(path, chunks, pair.member(member), result)
+
+
+def teeth(measurement: Measurement) -> list[int]:
+    """The teeth that were measured."""
+    return [int(tooth) for tooth in np.unique(measurement.result.tooth)]
+
+
+def topography(measurement: Measurement, tooth: int = ALL_TEETH) -> tuple[MapData, float]:
+    """Both flanks drawn flat with a bar at each point, all to one scale; and the longest bar [µm]."""
+    member, result = measurement.member, measurement.result
+    chosen = np.ones(len(result.tooth), dtype=bool) if tooth == ALL_TEETH else result.tooth == tooth
+    nets = {
+        name: _nodes(member, result, chosen & (result.side == involute_flank(member, name).side)) for name in FLANKS
+    }
+    largest = max(float(np.nanmax(np.abs(error), initial=0.0)) for _, error in nets.values())
+    data = MapData(
+        f"topography-{member.name}",
+        tuple(_bars(member, name, *net, largest or 1.0) for name, net in nets.items()),
+        lambda image: np.zeros((*image.shape, 4), dtype=np.uint8),
+        across=True,
+        table=lambda: points_table(result),
+    )
+    return data, largest
+
+
+def _nodes(member: MemberGeometry, result: MeasurementResult, chosen: NDArray[np.bool_]) -> tuple[Floats, Floats]:
+    """Places (n, m, 2) and deviations (n, m) [µm] of the points, brought to a net."""
+    face, profile = result.face_place[chosen], result.profile_place[chosen]
+    x, y = _tilted(member, result.pose.undo(result.points[chosen]))
+    x, y, error = (_cell_means(values, face, profile) for values in (x, y, result.deviation_um[chosen]))
+    return np.stack([x, y], axis=-1), error
+
+
+def _bars(member: MemberGeometry, name: FlankName, feet: Floats, error: Floats, largest: float) -> FlankMap:
+    flank, longest = involute_flank(member, name), LONGEST_BAR * member.face_width
+    edge = outline(*_tilted(member, flank.points(*np.ix_(np.linspace(0, 1, 9), np.linspace(0, 1, 25)))))
+    tips = feet + np.stack([np.zeros_like(error), error / largest * longest], axis=-1)
+    strokes = np.stack([feet, tips], axis=-2)
+    lines = (
+        Line(_net(feet), "border_strong", 1.0, pairs=True),
+        Line(_net(tips), "muted", 1.0, pairs=True),
+        Line(strokes[error >= 0].reshape(-1, 2), "added", 2.6, pairs=True),
+        Line(strokes[error < 0].reshape(-1, 2), "missing", 2.6, pairs=True),
+    )
+    title = f"{name.capitalize()} flank" + ("" if np.any(np.isfinite(error)) else ": not measured")
+    return FlankMap(title, np.full((2, 2), np.nan), frame(edge), edge, lines, reach=longest)
+
+
+def _cell_means(values: Floats, face: Floats, profile: Floats) -> Floats:
+    """Means over the nodes of the measured grid, or over cells where there is none; NaN where nothing is, (n, m)."""
+    row, rows = _ranks(profile, CELLS[0])
+    column, columns = _ranks(face, CELLS[1])
+    cell, size = row * columns + column, rows * columns
+    count = np.bincount(cell, minlength=size)
+    with np.errstate(invalid="ignore"):
+        return (np.bincount(cell, weights=values, minlength=size) / count).reshape(rows, columns)
+
+
+def _ranks(places: Floats, cells: int) -> tuple[NDArray[np.int_], int]:
+    """Which line of a measured grid each place is on, and how many there are; even cells where there are no lines."""
+    if not places.size:
+        return np.zeros(0, dtype=int), 1
+    order = np.sort(places)
+    ends = np.concatenate([[-np.inf], (order[:-1] + order[1:])[np.diff(order) > LINE_GAP] / 2])
+    line = np.searchsorted(ends, places) - 1
+    if len(ends) <= MOST_LINES and max(np.ptp(places[line == one]) for one in range(len(ends))) <= LINE_GAP:
+        return line, len(ends)
+    return np.clip(places * cells, 0, cells - 1).astype(int), cells
+
+
+def _net(nodes: Floats) -> Floats:
+    """Strokes from node to neighbouring node, as pairs of points; gaps where there is no node."""
+    along = np.stack([nodes[:, :-1], nodes[:, 1:]], axis=-2).reshape(-1, 2, 2)
+    across = np.stack([nodes[:-1], nodes[1:]], axis=-2).reshape(-1, 2, 2)
+    strokes = np.concatenate([along, across])
+    return strokes[np.all(np.isfinite(strokes), axis=(1, 2))].reshape(-1, 2)
+
+
+def _tilted(member: MemberGeometry, points: Floats) -> tuple[Floats, Floats]:
+    """Places on the flank drawn flat and seen aslant, as a floor on which bars stand."""
+    radius = np.hypot(points[..., 0], points[..., 1])
+    polar = np.arctan2(radius, points[..., 2])
+    x, y = drawn_flat(np.hypot(radius, points[..., 2]), polar, member.pitch_angle)
+    depth = member.addendum + member.dedendum
+    return x + SHEAR * member.face_width * y / depth, TILT * member.face_width * y / depth
+
+
+def pitch_chart(measurement: Measurement) -> ChartData:
+    """Single and cumulative pitch errors of the teeth measured."""
+    pitches = measurement.result.pitch
+    series = [
+        Series(f"{name.capitalize()}, cumulative", 1.0 + p.tooth, p.cumulative_um, name, symbols=True)
+        for name, p in pitches.items()
+    ]
+    series += [
+        Series(f"{name.capitalize()}, single", 1.0 + p.tooth, p.single_um, name, "dash") for name, p in pitches.items()
+    ]
+    few = all(len(p.tooth) < 2 for p in pitches.values())
+    return ChartData(
+        name=f"pitch-errors-{measurement.member.name}",
+        x=Axis("Tooth"),
+        y=Axis("Pitch error", "µm"),
+        series=() if few else tuple(series),
+        legend=(*(Entry(s.name, s.color, s.stroke) for s in series),) if not few else (),
+        note="One tooth was measured: there is no pitch to compare" if few else "",
+        span_y=(-0.5, 0.5),
+    )
+
+
+def points_table(result: MeasurementResult) -> Table:
+    """Every point with its tooth, flank, place and deviation."""
+    columns = (result.tooth + 1, result.flanks, *result.points.T, result.face_place, result.profile_place)
+    rows = list(zip(*columns, result.deviation_um, strict=True))
+    return Table(("tooth", "flank", "x [mm]", "y [mm]", "z [mm]", "face 0-1", "profile 0-1", "deviation [µm]"), rows)
+
+
+def statistics_rows(measurement: Measurement) -> list[tuple[str, str]]:
+    """What holds for all points: name and value."""
+    result = measurement.result
+    found = result.statistics
+    return [
+        ("Points", f"{len(result.points)}" + (f" (+ {result.beside} beside)" if result.beside else "")),
+        ("Teeth", f"{len(teeth(measurement))} of {measurement.member.teeth}"),
+        ("Turned by", f"{fixed(float(np.degrees(result.pose.turn)), 6)}°"),
+        ("Shifted by", f"{fixed(result.pose.shift * 1e3, 3)} µm"),
+        ("Max", micrometres(found.max_um)),
+        ("Mean", micrometres(found.mean_um)),
+        ("Rms", micrometres(found.rms_um)),
+    ]
+
+
+def error_rows(measurement: Measurement) -> list[tuple[str, ...]]:
+    """Named errors [µm]: name, concave, convex."""
+    result = measurement.result
+
+    def row(name: str, read: Callable[[FlankName], float]) -> tuple[str, ...]:
+        return (name, *(fixed(read(flank), 2) if flank in result.form else "–" for flank in FLANKS))
+
+    form, pitch = result.form, result.pitch
+    return [
+        row("Spiral angle", lambda f: form[f].spiral_um),
+        row("Pressure angle", lambda f: form[f].pressure_um),
+        row("Lengthwise crown", lambda f: form[f].lengthwise_crown_um),
+        row("Profile crown", lambda f: form[f].profile_crown_um),
+        row("Bias", lambda f: form[f].bias_um),
+        row("Pitch, single", lambda f: pitch[f].largest_single_um),
+        row("Pitch, total", lambda f: pitch[f].total_um),
+    ]
