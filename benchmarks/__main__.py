@@ -12,6 +12,7 @@ from benchmarks import compare, contact, peers, startup, window
 from benchmarks.measurement import Measurement
 
 RATIO, GAP_MS = 0.3, 50.0
+GEAR_RATIO, GROWTH, MEGABYTES = 0.1, 1.2, 4.0
 
 
 def measurements() -> Iterator[Measurement]:
@@ -26,6 +27,11 @@ def measurements() -> Iterator[Measurement]:
 
     readings = [seconds / unit for seconds in contact.measure()]
     yield Measurement("contact analysis, 100 × 60 points, 40 positions / py_gearworks", readings, contact.TARGET)
+
+    title = "whole 40-tooth wheel, checked / py_gearworks"
+    yield Measurement(title, [seconds / unit for seconds in gear.measure()], GEAR_RATIO)
+    yield Measurement("growth of that time with the teeth, exponent", [gear.growth()], GROWTH, decimals=2)
+    yield Measurement("STEP file of that wheel", [gear.file_megabytes()], MEGABYTES, unit="MB", decimals=2)
 
     edits = window.measure()
     yield Measurement("an edit to all three views / py_gearworks", [e.seconds / unit for e in edits], RATIO)

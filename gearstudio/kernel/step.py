@@ -92,8 +92,8 @@ def read_flanks_step(path: Path) -> dict[str, NurbsSurface]:
             shape = shapes.GetShape_s(parts.Value(j))
             if shape.ShapeType() == TopAbs_ShapeEnum.TopAbs_FACE:
                 if not BRepCheck_Analyzer(shape).IsValid():
-                    raise FileError(path, f"face {_read_name(parts.Value(j))!r} is not valid after reading back")
-                found[_read_name(parts.Value(j))] = to_record(BRep_Tool.Surface_s(TopoDS.Face(shape)))
+                    raise FileError(path, f"face {read_name(parts.Value(j))!r} is not valid after reading back")
+                found[read_name(parts.Value(j))] = to_record(BRep_Tool.Surface_s(TopoDS.Face(shape)))
     return found
 
 
@@ -109,6 +109,7 @@ def settle() -> None:
     Interface_Static.SetIVal_s("read.stepcaf.subshapes.name", 1)
 
 
-def _read_name(label: TDF_Label) -> str:
+def read_name(label: TDF_Label) -> str:
+    """Name of a label; empty when it has none."""
     attribute = TDataStd_Name()
     return str(attribute.Get().ToExtString()) if label.FindAttribute(TDataStd_Name.GetID_s(), attribute) else ""

@@ -46,7 +46,7 @@ class Space:
     def between(self) -> Floats:
         """Places inside every span at which a fit is looked at."""
         breaks = self.breaks
-        inner = np.linspace(0.0, 1.0, self.degree + 2)[1:-1]
+        inner = np.linspace(0.0, 1.0, 2 * self.degree + 4)[1:-1]
         return np.asarray((breaks[:-1, None] + np.diff(breaks)[:, None] * inner).ravel())
 
     def refined(self) -> Space:

@@ -91,7 +91,8 @@ def blank_outline(member: MemberGeometry, sizes: BlankSizes) -> BlankOutline:
     heel_rim, toe_rim = _rim_point(member, 1.0), _rim_point(member, 0.0)
     back = heel_rim[1] if sizes.mounting_distance is None else sizes.mounting_distance
     heel_rim = _meet_back_face(member, heel_root, heel_rim, back)
-    web = back - toe_rim[1] if sizes.web_thickness is None else sizes.web_thickness
+    derived_front = min(toe_rim[1], _deepest(member, toe_root[0]))
+    web = back - derived_front if sizes.web_thickness is None else sizes.web_thickness
     front = back - web
     toe_rim = _front_cone_at(member, toe_root, front)
     wall = _SMALLEST_WALL_SHARE * toe_root[0]
@@ -158,7 +159,7 @@ def _meet_back_face(
     """The outline's first point: on the back cone, no further than the back face."""
     if back >= rim[1]:
         return rim
-    slack = 1e-3 * member.dedendum
+    slack = 1e-3 * (rim[1] - root[1])
     if back < root[1] + slack:
         raise BlankError(
             "mounting_distance",
@@ -171,8 +172,8 @@ def _meet_back_face(
 
 def _front_cone_at(member: MemberGeometry, root: tuple[float, float], front: float) -> tuple[float, float]:
     """The outline's last point: on the front cone at the height of the web's front face."""
-    slack = 1e-3 * member.dedendum
-    lowest, highest = root[1] + slack, _deepest(member, root[0])
+    highest = _deepest(member, root[0])
+    lowest = root[1] + 1e-3 * min(member.addendum + member.dedendum, highest - root[1])
     if not lowest <= front <= highest:
         change = front - float(np.clip(front, lowest, highest))
         raise BlankError(
