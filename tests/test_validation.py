@@ -275,15 +275,6 @@ def test_what_makes_no_gear_is_an_error_at_its_field(paths: dict[str, Any], code
             "contact_ratio",
         ),
         ({"pair.pinion_teeth": 9, "pair.wheel_teeth": 41, "tooth.profile_shift": 0.5}, "thin_tip"),
-        (
-            {
-                "pair.pinion_teeth": 5,
-                "lengthwise.curve": "archimedean",
-                "lengthwise.spiral_angle_deg": 0.0,
-                "tooth.ends": "sphere",
-            },
-            "no_body",
-        ),
     ],
 )
 def test_what_makes_a_doubtful_gear_is_a_warning(paths: dict[str, Any], code: str) -> None:

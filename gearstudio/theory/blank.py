@@ -91,7 +91,7 @@ def blank_outline(member: MemberGeometry, sizes: BlankSizes) -> BlankOutline:
     heel_rim, toe_rim = _rim_point(member, 1.0), _rim_point(member, 0.0)
     back = heel_rim[1] if sizes.mounting_distance is None else sizes.mounting_distance
     heel_rim = _meet_back_face(member, heel_root, heel_rim, back)
-    derived_front = min(toe_rim[1], _deepest(member, toe_root[0]))
+    derived_front = min(toe_rim[1], _deepest(member, toe_root[0]) * (1 - 1e-9))
     web = back - derived_front if sizes.web_thickness is None else sizes.web_thickness
     front = back - web
     toe_rim = _front_cone_at(member, toe_root, front)

@@ -155,25 +155,12 @@ def _contact_ratio(design: Design) -> Iterator[Finding]:
         )
 
 
-def _blank_errors(design: Design) -> Iterator[tuple[BlankSizes, str, BlankError]]:
-    for member in members(design):
-        sizes = BlankSizes(**getattr(design.blank, member.name).model_dump())
-        try:
-            blank_outline(member, sizes)
-        except BlankError as error:
-            yield sizes, f"blank.{member.name}.{error.field}", error
-
-
 def _blank(design: Design) -> Iterator[Finding]:
-    for sizes, path, error in _blank_errors(design):
-        if sizes != BlankSizes():
-            yield Finding(path, error.reason)
-
-
-def _no_body(design: Design) -> Iterator[Finding]:
-    for sizes, path, error in _blank_errors(design):
-        if sizes == BlankSizes():
-            yield Finding(path, f"the teeth leave no room for a body, and can be made without one only: {error.reason}")
+    for member in members(design):
+        try:
+            blank_outline(member, BlankSizes(**getattr(design.blank, member.name).model_dump()))
+        except BlankError as error:
+            yield Finding(f"blank.{member.name}.{error.field}", error.reason)
 
 
 FILLET = THICKNESS | fields("tooth", "fillet_factor")
@@ -193,13 +180,5 @@ MESH_RULES = (
         frozenset({"face_width", "root_cone"}),
         "blank.pinion.bore_diameter",
         _blank,
-    ),
-    Rule(
-        "no_body",
-        "warning",
-        PROFILE | ARC | BLANKS,
-        frozenset({"face_width", "root_cone"}),
-        "blank.pinion.bore_diameter",
-        _no_body,
     ),
 )

@@ -191,5 +191,5 @@ def test_one_to_two_hundred_and_fifty_millimetres_share_a_tolerance() -> None:
 
 def test_a_goal_out_of_reach_is_said() -> None:
     refinement = Refinement("point_cloud", 1e-9, (2,))
-    with pytest.raises(ModellingError, match="not reached"):
+    with pytest.raises(ModellingError, match="remained with 1000 nodes"):
         refinement.run((10,), lambda counts: (None, (1.0,)))  # type: ignore[arg-type,return-value]
