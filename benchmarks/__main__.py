@@ -8,7 +8,7 @@ import statistics
 import sys
 from collections.abc import Iterator
 
-from benchmarks import compare, contact, peers, startup, window
+from benchmarks import compare, contact, gear, peers, startup, window
 from benchmarks.measurement import Measurement
 
 RATIO, GAP_MS = 0.3, 50.0

@@ -1,4 +1,4 @@
-"""A whole 40-tooth wheel with fillets, body and the kernel's full check; how the time grows with the teeth; its file."""
+"""A whole 40-tooth wheel with fillets, body and full check; how the time grows with the teeth; its file."""
 
 from __future__ import annotations
 
