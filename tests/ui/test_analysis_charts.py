@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -10,7 +11,12 @@ import pytest
 from PySide6.QtCore import QPointF
 from PySide6.QtGui import QGuiApplication, QImage
 
+from gearstudio.analysis.curvature import theory_curvature
+from gearstudio.design import Design
+from gearstudio.nurbs import NurbsSurface
+from gearstudio.theory.flank import involute_flank
 from tests.ui.made_up import member_of, result_of
+from ui.analysis.curvature_view import power_of_ten
 from ui.analysis.deviation_series import (
     LEAST_UM,
     PAPER_MEANS_UM,
@@ -20,7 +26,7 @@ from ui.analysis.deviation_series import (
     histogram_chart,
 )
 from ui.charts.records import Axis, ChartData, Series, micrometre_tick, orders_apart
-from ui.session import Key
+from ui.session import Key, Session
 
 pytestmark = pytest.mark.ui
 CHOICE = Choice("wheel", "concave")
@@ -138,3 +144,77 @@ def test_pointing_at_a_curve_reads_it_out(frame) -> None:
     assert "Place 0.5" in chart._readout.toPlainText() and "0.25 µm" in chart._readout.toPlainText()
     chart._on_moved(QPointF(-50, -50))
     assert chart._readout.toPlainText() == ""
+
+
+@pytest.fixture
+def page(qtbot, theme):
+    from ui.analysis.charts_page import ChartsPage
+
+    made = ChartsPage()
+    qtbot.addWidget(made)
+    made.resize(920, 300)
+    made.show()
+    session = Session()
+    session.load(Design())
+    made.session = session
+    return made
+
+
+def test_the_page_shows_results_as_they_come_and_its_choices_change_the_chart(page) -> None:
+    session = page.session
+    page.show_session(session)
+    assert page.chart.data.note and not page.chart.data.series
+    member = session.pair.wheel
+    for method, size in (("rotating_line", 1.0), ("profile_sweep", 40.0)):
+        session.put_result(session.design, result_of(member, lambda u, v, size=size: size * (0.2 + u * v), 29, method))
+    page.show_session(session)
+    assert [series.name for series in page.chart.data.series] == [
+        "Rotating line, published",
+        "Profile sweep, published",
+    ]
+    page.flanks.button("convex").click()
+    assert "convex" in page.chart.name
+    page.paper.setChecked(False)
+    assert not page.chart.data.references
+    page.show_kind("histogram")
+    assert page.chart.name.startswith("histogram") and not page.paths.isVisible()
+    session.select(member="pinion")
+    page.show_session(session)
+    assert not page.chart.data.series
+
+
+def test_curvature_of_the_models_is_drawn_and_compared_with_theory(page) -> None:
+    session = page.session
+    session.select(variant="published")
+    page.show_session(session)
+    page.show_kind("curvature")
+    assert not page.map.data.maps and "being built" in page.frame.hint.text()
+    member = session.pair.wheel
+    exact = result_of(member, lambda u, v: 0 * u, 29)
+    flanks = {name: replace(flank, surface=surface_through(member, name)) for name, flank in exact.flanks.items()}
+    session.put_result(session.design, replace(exact, flanks=flanks))
+    page.show_session(session)
+    assert [one.title.split(":")[0] for one in page.map.data.maps] == ["Point cloud"]
+    true = theory_curvature(involute_flank(member, "concave"), np.linspace(0.02, 1, 33)[:, None], np.linspace(0, 1, 61))
+    scale = page.map.data.scale
+    assert true.gaussian.min() < scale.low < scale.high < true.gaussian.max()
+    page.against.setCurrentIndex(1)
+    page.against.activated.emit(1)
+    assert page.map.data.scale.high < 0.02 * abs(scale.low) and "less theory" in page.map.data.scale.title
+    assert len(page.map.table.rows) == 33 * 61
+    page.refresh_theme()
+
+
+def surface_through(member, name):
+    """A cubic surface through many points of a theoretical flank."""
+    from scipy.interpolate import make_interp_spline
+
+    places = np.linspace(0, 1, 40)
+    points = involute_flank(member, name).points(places[:, None], places)
+    along_u = make_interp_spline(places, points, 5)
+    along_v = make_interp_spline(places, np.moveaxis(along_u.c, 1, 0), 5)
+    return NurbsSurface(np.moveaxis(along_v.c, 0, 1), along_u.t, along_v.t, 5, 5)
+
+
+def test_small_numbers_are_written_as_people_do() -> None:
+    assert [power_of_ten(value) for value in (0.0, -1.47e-4, 2.5e-12)] == ["0", "−1.47·10⁻⁴", "2.50·10⁻¹²"]

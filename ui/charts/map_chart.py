@@ -13,12 +13,12 @@ from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from ui.charts.colors import chart_color
 from ui.charts.export import Paint
-from ui.charts.maps import FlankMap, MapData
+from ui.charts.maps import Colors, FlankMap, MapData, Scale
 from ui.charts.parts import pen
 from ui.charts.records import Table
 from ui.theme import is_dark
 
-MOST_LINES = 4
+MOST_LINES, BAR_BLOCKS = 4, 24
 
 
 class MapChart(QWidget):
@@ -39,6 +39,7 @@ class MapChart(QWidget):
         self._view.ci.layout.setContentsMargins(2, 2, 2, 2)
         self._view.ci.layout.setSpacing(2)
         self._plots: list[_MapPlot] = []
+        self._bar: pg.LabelItem | None = None
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.addWidget(self._view)
@@ -49,11 +50,15 @@ class MapChart(QWidget):
     def show_data(self, data: MapData) -> None:
         """Show other maps; the scale stays while their places are the same."""
         before, self.data = self.data, data
-        if len(data.maps) != len(self._plots) or data.across != before.across:
+        look = (len(data.maps), data.across, data.scale is None)
+        if look != (len(self._plots), before.across, before.scale is None):
             self._view.clear()
             self._plots = [_MapPlot() for _ in data.maps]
             for index, plot in enumerate(self._plots):
                 self._view.addItem(plot, *((0, index) if data.across else (index, 0)))
+            if data.scale is not None:
+                below = (1, 0, 1, len(data.maps)) if data.across else (len(data.maps), 0)
+                self._bar = self._view.addLabel("", *below)
         self._fill()
 
     def refresh_theme(self) -> None:
@@ -86,6 +91,8 @@ class MapChart(QWidget):
         if self.data.colors is not None:
             for plot, one in zip(self._plots, self.data.maps, strict=True):
                 plot.show_map(one, self.data.colors(one.image))
+            if self.data.scale is not None and self._bar is not None:
+                self._bar.setText(_bar_text(self.data.scale, self.data.colors))
 
     def _on_moved(self, place: QPointF) -> None:
         for plot, one in zip(self._plots, self.data.maps, strict=True):
@@ -158,3 +165,11 @@ def _value_at(one: FlankMap, place: QPointF) -> float | None:
     if not (0 <= row < rows and 0 <= column < columns) or np.isnan(one.image[row, column]):
         return None
     return float(one.image[row, column])
+
+
+def _bar_text(scale: Scale, colors: Colors) -> str:
+    """The colours of a scale in a line of text, between its ends."""
+    shades = colors(np.linspace(scale.low, scale.high, BAR_BLOCKS))[:, :3]
+    blocks = "".join(f'<span style="color:#{r:02x}{g:02x}{b:02x}">█</span>' for r, g, b in shades)
+    low, high = scale.write(scale.low), scale.write(scale.high)
+    return f'<span style="color:{chart_color("muted").name()}">{scale.title}: {low}&nbsp;{blocks}&nbsp;{high}</span>'

@@ -51,6 +51,16 @@ class FlankMap:
 
 
 @dataclass(frozen=True)
+class Scale:
+    """The ends of the colours, and how they are written."""
+
+    low: float
+    high: float
+    title: str
+    write: Callable[[float], str]
+
+
+@dataclass(frozen=True)
 class MapData:
     """Some maps that are coloured alike.
 
@@ -61,4 +71,5 @@ class MapData:
     maps: tuple[FlankMap, ...] = ()
     colors: Colors | None = field(default=None, compare=False)
     across: bool = False
+    scale: Scale | None = None
     table: Callable[[], Table] = field(default=lambda: Table((), ()), compare=False)
