@@ -8,7 +8,7 @@ import statistics
 import sys
 from collections.abc import Iterator
 
-from benchmarks import compare, contact, gear, peers, startup, window
+from benchmarks import animation, compare, contact, gear, peers, startup, window
 from benchmarks.measurement import Measurement
 
 RATIO, GAP_MS = 0.3, 50.0
@@ -40,6 +40,13 @@ def measurements() -> Iterator[Measurement]:
     title = "longest event-loop gap of a full rebuild, frames left out"
     yield Measurement(title, gaps, GAP_MS, unit="ms", decimals=0, judged="maximum")
     yield Measurement("the same with frames, drawn by software or not", with_frames, unit="ms", decimals=0)
+
+    frames = animation.measure()
+    title = "frame of the turning pair / repaint as it is while it moves"
+    yield Measurement(title, [frame.turning / frame.moving for frame in frames], animation.TARGET, decimals=2)
+    title = "the same / repaint standing still, fine and smoothed"
+    yield Measurement(title, [frame.turning / frame.standing for frame in frames], animation.TARGET, decimals=2)
+    yield Measurement("the same in milliseconds", [frame.turning for frame in frames], unit="ms", decimals=0)
 
     starts = startup.measure()
     loaded = [float(len(start.loaded_at_first_paint)) for start in starts]

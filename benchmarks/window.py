@@ -61,7 +61,7 @@ def measure(times: int = 20) -> list[Edit]:
         on_frame(studio, lambda complete: shown.append(perf_counter()) if complete else None)
         studio.window.may_close = lambda: True
         studio.window.show()
-        _wait_until(lambda: is_complete(studio) and bool(shown) and not studio.session.missing_keys())
+        wait_until(lambda: is_complete(studio) and bool(shown) and not studio.session.missing_keys())
         ticker = QTimer(studio, interval=TICK_MS, timerType=Qt.TimerType.PreciseTimer)
         ticker.timeout.connect(watch.tick)
         ticker.start()
@@ -76,9 +76,9 @@ def _edit(studio: Studio, watch: Watch, shown: list[float], value: float) -> Edi
     watch.clear()
     start = perf_counter()
     studio.window.form.field_edited.emit(FIELD, value)
-    _wait_until(lambda: bool(shown) and not studio.session.missing_keys())
+    wait_until(lambda: bool(shown) and not studio.session.missing_keys())
     seconds = shown[0] - start
-    _pause(300)
+    pause(300)
     return Edit(seconds, 1e3 * max(watch.gaps(watch.frames)), 1e3 * max(watch.gaps()))
 
 
@@ -97,7 +97,7 @@ def _watch_drawing(watch: Watch) -> None:
     MainWindow.event = event  # type: ignore[method-assign]
 
 
-def _wait_until(ready: Callable[[], Any]) -> None:
+def wait_until(ready: Callable[[], Any]) -> None:
     """Run the event loop until something holds."""
     loop, poll, limit = QEventLoop(), QTimer(interval=10), QTimer(interval=PATIENCE_MS, singleShot=True)
     poll.timeout.connect(lambda: loop.quit() if ready() else None)
@@ -109,7 +109,7 @@ def _wait_until(ready: Callable[[], Any]) -> None:
         raise TimeoutError("the window did not come to rest")
 
 
-def _pause(milliseconds: int) -> None:
+def pause(milliseconds: int) -> None:
     loop = QEventLoop()
     QTimer.singleShot(milliseconds, loop.quit)
     loop.exec()
