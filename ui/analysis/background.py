@@ -14,6 +14,7 @@ from PySide6.QtCore import QObject, Signal
 from gearstudio.errors import GearStudioError
 
 Work = Callable[[], Any]
+PATIENCE_S = 1.0
 SWITCH_S = 0.0005
 """How long a thread may keep the interpreter while another waits; the window answers at once also while this works."""
 log = logging.getLogger(__name__)
@@ -65,12 +66,12 @@ class Newest(QObject):
             self._changed.notify()
 
     def close(self) -> None:
-        """Take no more, and wait for what is being done."""
+        """Take no more, and wait for what is being done, but not for long: it can do no more harm."""
         with self._changed:
             self._closed, self._waiting = True, None
             self._changed.notify()
         if self._thread is not None:
-            self._thread.join()
+            self._thread.join(PATIENCE_S)
 
     def _run(self) -> None:
         while True:
