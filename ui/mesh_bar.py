@@ -31,7 +31,7 @@ class MeshBar(QWidget):
         super().__init__(parent)
         self._angle, self._teeth, self._ratio = 0.0, 17, 1.0
         self.frame_ms = 0.0
-        self._play = self._button("play", "Turn the pair in mesh (Space)", self._toggle)
+        self._play = self._button("play", "Turn the pair in mesh", self._toggle)
         self._back = self._button("step-back", "Back by a twelfth of a tooth", lambda: self.step(-1))
         self._on = self._button("step-on", "On by a twelfth of a tooth", lambda: self.step(1))
         self._slider = QSlider(Qt.Orientation.Horizontal, self, maximum=360 * STEPS_PER_DEGREE, pageStep=100)

@@ -78,8 +78,10 @@ class PropertiesTable(QWidget):
 
     def show_results(self, results: dict[str, SolidResult | None]) -> None:
         """Show solids by member; None where there is none yet."""
+        shown = [*map(id, self._results)], self._members
         self._members, self._results = tuple(results), tuple(results.values())
-        self._refresh()
+        if shown != ([*map(id, self._results)], self._members):
+            self._refresh()
 
     def text_table(self) -> str:
         """All properties as tab-separated text."""

@@ -216,7 +216,7 @@ class SolidPanel(QWidget):
 
     def _make_measure(self) -> QVBoxLayout:
         self._measure = QCheckBox("Measure")
-        self._measure.setToolTip("Click two points: their distance and what lies between (M)")
+        self._measure.setToolTip("Click two points: their distance and what lies between")
         self._measure.toggled.connect(self._on_measure)
         self._reading = QLabel()
         self._reading.setWordWrap(True)

@@ -27,6 +27,7 @@ from ui.viewport import PANES, Viewport
 _FLANK_IDS = ("deviation", "cad_flank")
 _MAP_KEYS = ("deviation/concave", "deviation/convex")
 _CONTEXT_IDS = ("tooth", "gear")
+_ENOUGH_TO_AIM = 20_000
 
 
 class ViewGrid(QWidget):
@@ -332,6 +333,7 @@ def focus_of(panels: Sequence[Panel]) -> Focus | None:
     if not whole:
         return None
     around = np.concatenate([x.points for x in whole])
+    around = around[:: 1 + len(around) // _ENOUGH_TO_AIM]
     flanks = {x.part: x for x in layers if x.layer_id in _FLANK_IDS and x.normals is not None}
     flanks |= {x.part: x for x in layers if x.layer_id == "theory_flank" and x.normals is not None}
     centre, radius = _sphere(whole)
