@@ -61,6 +61,7 @@ def cut_spaces(blank: TopoDS_Solid, space: GearShell, teeth: int, report: Report
     cutter.SetArguments(blanks)
     cutter.SetTools(tools)
     cutter.SetRunParallel(True)
+    cutter.SetUseOBB(True)
     cutter.Build()
     if not cutter.IsDone():
         raise GeometryError("the kernel could not cut the tooth spaces from the blank")

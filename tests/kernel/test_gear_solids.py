@@ -103,10 +103,14 @@ def test_a_gap_between_faces_is_noticed() -> None:
 
 
 @pytest.mark.slow
-def test_both_constructions_make_the_same_gear() -> None:
+@pytest.mark.parametrize("changes", [{}, {"tooth.ends": "sphere", "tooth.tip_cone": "constant_clearance"}])
+def test_both_constructions_make_the_same_gear(changes: dict[str, str]) -> None:
+    design = SMALL
+    for field, value in changes.items():
+        design = with_field(design, field, value)
     stages: list[str] = []
-    joined = build_gear(SMALL, "pinion", "profile_sweep", "optimised")
-    cut = build_gear(SMALL, "pinion", "profile_sweep", "optimised", "cut", lambda stage, _: stages.append(stage))
+    joined = build_gear(design, "pinion", "profile_sweep", "optimised")
+    cut = build_gear(design, "pinion", "profile_sweep", "optimised", "cut", lambda stage, _: stages.append(stage))
     assert is_valid(cut.solid)
     assert is_closed(cut.solid)
     assert solid_volume(cut.solid) == pytest.approx(solid_volume(joined.solid), rel=1e-6)
