@@ -7,7 +7,7 @@ from html import escape
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QModelIndex, Qt, Signal
-from PySide6.QtGui import QColor, QFont, QPainter, QStaticText
+from PySide6.QtGui import QFont, QPainter, QStaticText
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QHeaderView,
@@ -21,7 +21,6 @@ from PySide6.QtWidgets import (
 )
 
 from ui.formatting import MINUS
-from ui.theme import tokens
 
 if TYPE_CHECKING:
     from gearstudio.analysis.datasheet import DataSheet, Quantity
@@ -94,7 +93,6 @@ def add_heading(table: QTableWidget, row: int, text: str) -> None:
     """A row that names the group of the rows below it; it cannot be chosen."""
     item = cell(text, bold=True)
     item.setFlags(Qt.ItemFlag.ItemIsEnabled)
-    item.setForeground(QColor(tokens().muted))
     table.setItem(row, 0, item)
     table.setSpan(row, 0, 1, table.columnCount())
 
