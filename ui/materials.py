@@ -66,7 +66,7 @@ def properties(results: Sequence[SolidResult | None], density: float) -> tuple[P
         scaled("Volume", "Enclosed", (("mm³", 1.0), ("cm³", 1e-3), ("dm³", 1e-6)), lambda r: r.properties.volume),
         scaled("Area", "Of the whole surface", (("mm²", 1.0), ("cm²", 1e-2)), lambda r: r.properties.area),
         scaled("Mass", "In the chosen material", (("g", 1e3), ("kg", 1.0)), lambda r: weight * r.properties.volume),
-        row("Centre z", "mm", "Of mass, from the apex along the axis", lambda r: significant(r.properties.centre[2], 5)),
+        row("Centre z", "mm", "Of mass, from the apex", lambda r: significant(r.properties.centre[2], 5)),
         scaled("Inertia z", "About the gear's axis", inertias, lambda r: weight * float(r.properties.inertia[2, 2])),
         scaled(
             "Inertia x",
