@@ -89,7 +89,7 @@ def pair_rows(pair: PairGeometry) -> tuple[tuple[str, str, str, str], ...]:
         ("Pressure angle, normal", "α_n", fixed(math.degrees(pair.normal_pressure_angle), 3), "°"),
         ("Transverse contact ratio", "ε_α", fixed(across, 3), ""),
         ("Overlap ratio", "ε_β", fixed(along, 3), ""),
-        ("Total contact ratio", "ε_γ", fixed(math.hypot(across, along), 3), ""),
+        ("Modified contact ratio", "ε_o", fixed(math.hypot(across, along), 3), ""),
     )
 
 

@@ -164,10 +164,16 @@ def _meet_back_face(
         raise BlankError(
             "mounting_distance",
             f"a back face {back:.6g} mm from the apex cuts into the roots at the heel; "
-            f"use at least {root[1] + 2 * slack:.6g} mm",
+            f"use at least {_rounded_up(root[1] + 2 * slack):.6g} mm",
         )
     share = (back - root[1]) / (rim[1] - root[1])
     return _between(member, 1.0, share)
+
+
+def _rounded_up(value: float) -> float:
+    """The next value of six digits, so that what a message offers does hold."""
+    step = 10.0 ** (np.floor(np.log10(abs(value))) - 5)
+    return float(np.ceil(value / step) * step)
 
 
 def _front_cone_at(member: MemberGeometry, root: tuple[float, float], front: float) -> tuple[float, float]:

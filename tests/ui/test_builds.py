@@ -66,7 +66,7 @@ def test_the_first_edit_builds_at_once_and_a_burst_when_it_has_ended(session, ru
     assert len(runner.requests) == 2 and runner.jobs[0].design == session.design
     for teeth in range(19, 29):
         session.edit(TEETH, teeth)
-        qtbot.wait(20)
+        qtbot.wait(1)
     assert len(runner.requests) == 2
     qtbot.waitUntil(lambda: len(runner.requests) == 3, timeout=5 * EDIT_PAUSE_MS)
     assert runner.jobs[0].design.pair.pinion_teeth == 28
