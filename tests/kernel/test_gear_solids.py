@@ -17,6 +17,7 @@ from gearstudio.kernel.solids import check_solid, is_closed, is_valid, solid_vol
 from gearstudio.methods.gear import Gear, build_gear, design_tooth, target_of
 from gearstudio.methods.single import tooth_solid
 from gearstudio.presets import PRESETS
+from gearstudio.validation import check
 from tests.designs import GOLDEN
 from tests.strategies import designs
 
@@ -38,6 +39,27 @@ def test_named_designs_make_valid_gears_of_the_right_size(name: str, member: str
     assert is_closed(gear.solid)
     assert gear.gap <= largest_gap(gear)
     assert solid_volume(gear.solid) == pytest.approx(gear_volume(gear.member, gear.outline.points), rel=1e-6)
+
+
+EXTREMES = {
+    "five teeth": {"pair": {"pinion_teeth": 5}, "tooth": {"profile_shift": 0.4, "addendum_factor": 0.9}},
+    "two hundred teeth": {"pair": {"pinion_teeth": 60, "wheel_teeth": 200}, "lengthwise": {"cutter_radius": 400.0}},
+    "module 0.1": {"pair": {"outer_module": 0.1}, "lengthwise": {"cutter_radius": 2.0}},
+    "module 100": {"pair": {"outer_module": 100.0}, "lengthwise": {"cutter_radius": 2000.0}},
+    "face of 1 %": {"pair": {"face_width_factor": 0.01}},
+    "face of 50 %": {"pair": {"face_width_factor": 0.5}},
+}
+
+
+@pytest.mark.parametrize("member", ["pinion", "wheel"])
+@pytest.mark.parametrize("name", EXTREMES)
+def test_the_ends_of_the_permitted_range_make_valid_gears(name: str, member: str) -> None:
+    design = Design.model_validate(EXTREMES[name])
+    assert not [issue for issue in check(design) if issue.severity == "error"]
+    gear = build_gear(design, member, "point_cloud", "optimised")
+    assert is_valid(gear.solid)
+    assert is_closed(gear.solid)
+    assert gear.gap <= largest_gap(gear)
 
 
 @pytest.mark.slow
