@@ -16,6 +16,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, ClassVar, Literal
 
 from gearstudio.errors import FileError
+from gearstudio.files import named_errors
 
 if TYPE_CHECKING:
     from gearstudio.catalogue import MemberName, Variant
@@ -36,19 +37,6 @@ FORMATS = {
 SOLID_FORMATS = ("step", "iges", "brep")
 CONSTRUCTIONS = ("assemble", "cut")
 _EXPORT_SAMPLES = (9, 9)
-_REASONS = {
-    errno.EACCES: "no permission to write there",
-    errno.EPERM: "no permission to write there",
-    errno.EROFS: "the disk is read-only",
-    errno.ENOENT: "the folder cannot be made",
-    errno.EFBIG: "the file is too large for this disk",
-    errno.ENOSPC: "the disk is full",
-    errno.EDQUOT: "the disk quota is used up",
-    errno.ENOTDIR: "a part of the path is a file, not a folder",
-    errno.EEXIST: "there is a file where the folder should be",
-    errno.EISDIR: "there is a folder of this name",
-    errno.ENAMETOOLONG: "the name is too long",
-}
 
 
 class Job(ABC):
@@ -210,7 +198,7 @@ class ExportJob(Job):
                 raise FileError(path, f"of a pair only the part 'gear' is written, not {self.part!r}")
             if self.construction not in CONSTRUCTIONS:
                 raise FileError(path, f"no construction {self.construction!r}; use {' or '.join(CONSTRUCTIONS)}")
-            with _named(path):
+            with named_errors(path):
                 path.parent.mkdir(parents=True, exist_ok=True)
                 if path.is_dir():
                     raise IsADirectoryError(errno.EISDIR, "is a directory")
@@ -229,7 +217,7 @@ def warm_up() -> None:
 def _complete_or_absent(path: Path, unfinished: Path) -> Iterator[Path]:
     """Yield a name to write to; what is written there becomes ``path`` as a whole, or vanishes."""
     try:
-        with _named(path):
+        with named_errors(path):
             try:
                 yield unfinished
             except FileError as error:
@@ -240,12 +228,3 @@ def _complete_or_absent(path: Path, unfinished: Path) -> Iterator[Path]:
     finally:
         with contextlib.suppress(OSError):
             unfinished.unlink()
-
-
-@contextlib.contextmanager
-def _named(path: Path) -> Iterator[None]:
-    """Turn what the operating system refuses into a FileError about the file that the user asked for."""
-    try:
-        yield
-    except OSError as error:
-        raise FileError(path, _REASONS.get(error.errno or 0, error.strerror or str(error))) from error
