@@ -7,7 +7,6 @@ neither numpy nor the CAD kernel, so that a new process is alive at once; runnin
 from __future__ import annotations
 
 import contextlib
-import errno
 import os
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator, Sequence
@@ -201,7 +200,7 @@ class ExportJob(Job):
             with named_errors(path):
                 path.parent.mkdir(parents=True, exist_ok=True)
                 if path.is_dir():
-                    raise IsADirectoryError(errno.EISDIR, "is a directory")
+                    raise FileError(path, "there is a folder of this name")
                 trial = self._unfinished(format_, os.getpid())
                 trial.touch()
                 trial.unlink()
