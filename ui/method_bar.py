@@ -118,10 +118,6 @@ class MethodBar(QWidget):
             self._layout.addWidget(segments)
         self._layout.addStretch(1)
 
-    def add_right(self, widget: QWidget) -> None:
-        """Put something at the right end of the bar."""
-        self._layout.addWidget(widget)
-
     def show_selection(self, member: str, method: str, variant: str) -> None:
         """Show a selection without announcing it."""
         self.members.set_choice(member)

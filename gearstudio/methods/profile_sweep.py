@@ -31,8 +31,9 @@ _PIPE_TOLERANCE = 1e-8
 class ProfileSweep:
     """``published``: heel and toe profile joined by a pipe along the tooth trace.
 
-    ``optimised``: a skin through a string of interpolated sections, as many as it takes for the skin to
-    follow the exact guide curves (root, middle and tip of the flank) between the sections.
+    ``optimised``: a skin through a string of interpolated sections, as many as it takes for it to follow the
+    exact flank between them. The guide curves (root, middle and tip) are what it is held against and are
+    drawn; they are no input to the kernel's skin.
     """
 
     info: MethodInfo = catalogue.PROFILE_SWEEP

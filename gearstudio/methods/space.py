@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -118,11 +118,3 @@ def fitted(what: str, u: Space, v: Space, points: Points, goal: float) -> NurbsS
 def gap(surface: NurbsSurface, points: Points, x: Floats, y: Floats) -> float:
     """Farthest that a surface lies from points on a grid [mm]."""
     return float(np.linalg.norm(surface.grid(x, y) - points(x, y), axis=-1).max())
-
-
-def common_space(spaces: Sequence[Space]) -> Space:
-    """The smallest space that holds all of some."""
-    first, *others = spaces
-    for other in others:
-        first = first.joined(other)
-    return first

@@ -28,8 +28,6 @@ from gearstudio.validation.rule import (
 )
 from gearstudio.validation.tooth_rules import FLANKED, LEAST_FLANK_FACTOR, TOOTHED, tip_angles
 
-LEAST_WALL_FACTOR = 0.02
-
 
 def _working_depth(design: Design) -> Iterator[Finding]:
     tooth = design.tooth
