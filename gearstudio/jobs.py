@@ -20,12 +20,13 @@ from gearstudio.files import named_errors
 if TYPE_CHECKING:
     from gearstudio.catalogue import MemberName, Variant
     from gearstudio.design import Design
+    from gearstudio.exchange.measured_step import SampledModel
     from gearstudio.results import FileCheck, SolidResult, VariantResult
 
 Report = Callable[[str, float], None]
 """Takes the stage that begins and the fraction done, 0 to 1."""
 
-Purpose = Literal["build", "solid", "export"]
+Purpose = Literal["build", "solid", "export", "sample"]
 
 FORMATS = {
     "flanks": ("step",),
@@ -100,6 +101,28 @@ class GearJob(Job):
         from gearstudio.methods.gear import solid_result
 
         return solid_result(self.design, self.member, self.method, self.variant, self.construction, report)
+
+
+@dataclass(frozen=True)
+class SampleJob(Job):
+    """Take points to measure from the flanks in a STEP file; ``spacing`` is how far apart they are [mm]."""
+
+    purpose: ClassVar[Purpose] = "sample"
+
+    design: Design
+    member: str
+    path: Path
+    spacing: float | None = None
+
+    @property
+    def label(self) -> str:
+        return f"{self.member}, {Path(self.path).name}"
+
+    def run(self, report: Report) -> SampledModel:
+        from gearstudio.exchange.measured_step import sample_step
+        from gearstudio.theory.cones import pair_geometry
+
+        return sample_step(Path(self.path), pair_geometry(self.design), self.member, self.spacing, report)
 
 
 @dataclass(frozen=True)

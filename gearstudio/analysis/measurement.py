@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -94,6 +94,7 @@ def measure(
     *,
     turn: bool = True,
     shift: bool = True,
+    start_shift: float = 0.0,
     report: Report | None = None,
 ) -> MeasurementResult:
     """Compare measured points with a member's theoretical flanks.
@@ -106,6 +107,8 @@ def measure(
         All with normals or all without; the points in any order.
     turn, shift : bool
         Whether the best fit may turn the part about and shift it along its axis.
+    start_shift : float
+        About where the part's apex lies on the axis [mm], where that is farther off than a best fit looks.
     report : callable, optional
         Told the stage and the part of the work done.
 
@@ -117,6 +120,8 @@ def measure(
     member = pair.member(member_name)
     told = report or (lambda stage, fraction: None)
     points, normals = _collected(chunks)
+    start = np.array([0.0, 0.0, start_shift * shift])
+    points = points - start
     _check_size(pair, member, points)
     near = _beside_flank(member, points) <= 0
     beside = int(np.count_nonzero(~near))
@@ -131,7 +136,8 @@ def measure(
     told("errors", 0.75)
     face, profile = places(member, own)
     return MeasurementResult(
-        member_name, member.hand, points, error * 1e3, assigned.side, assigned.tooth, face, profile, pose,
+        member_name, member.hand, points + start, error * 1e3, assigned.side, assigned.tooth, face, profile,
+        replace(pose, shift=pose.shift + float(start[2])),
         statistics([error * 1e3]), beside,
         {name: pitch_errors(flank, own, error, assigned) for name, flank in _measured(member, assigned)},
         form_errors(member, own, assigned, (turn, shift)),

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import argparse
+from collections.abc import Callable, Iterable
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -10,10 +12,10 @@ import numpy as np
 from gearstudio.cli.output import STANDARD_OUTPUT, Progress, problem, table, write_json
 from gearstudio.errors import GeometryError
 from gearstudio.project import open_design
-from gearstudio.theory.cones import pair_geometry
+from gearstudio.theory.cones import PairGeometry, pair_geometry
 
 if TYPE_CHECKING:
-    from gearstudio.analysis.measurement import MeasurementResult
+    from gearstudio.analysis.measurement import MeasuredPoints, MeasurementResult
 
 UNUSABLE_INPUT = 2
 _READING = 0.2
@@ -22,13 +24,13 @@ _READING = 0.2
 def run(args: argparse.Namespace) -> int:
     """Carry the command out; the exit status is 2 when the points are not of this gear."""
     from gearstudio.analysis.measurement import measure
-    from gearstudio.exchange.measured import read_measured
 
     pair = pair_geometry(open_design(args.design))
     progress = Progress()
+    fit = {"turn": not args.no_turn, "shift": not args.no_shift}
     try:
-        chunks = read_measured(args.points, lambda part: progress("reading", _READING * part))
-        result = measure(pair, args.member, chunks, turn=not args.no_turn, shift=not args.no_shift, report=progress)
+        chunks, start = _points(args, pair, lambda stage, part: progress(stage, _READING * part))
+        result = measure(pair, args.member, chunks, **fit, start_shift=start, report=progress)
     except GeometryError as error:
         progress.clear()
         problem(f"{args.points}: {error}")
@@ -40,6 +42,20 @@ def run(args: argparse.Namespace) -> int:
     if args.json is not None:
         write_json(args.json, measurement_record(result))
     return 0
+
+
+def _points(
+    args: argparse.Namespace, pair: PairGeometry, report: Callable[[str, float], None]
+) -> tuple[Iterable[MeasuredPoints], float]:
+    """The points of a file, or of the flanks in a STEP file, and about where on the axis the apex lies."""
+    from gearstudio.exchange.measured import is_model, read_measured
+
+    if not is_model(args.points):
+        return read_measured(args.points, lambda part: report("reading", part)), 0.0
+    from gearstudio.exchange.measured_step import sample_step
+
+    found = sample_step(Path(args.points), pair, args.member, args.spacing, report)
+    return [found.points], found.shift
 
 
 def measurement_record(result: MeasurementResult) -> dict[str, Any]:

@@ -108,7 +108,15 @@ def make_parser() -> argparse.ArgumentParser:
     _add_json(made)
 
     made = command("measure", "measured points against the theory", measure.run)
-    made.add_argument("points", metavar="POINTS", help="a file of points in mm: CSV, .dat, or columns with normals")
+    made.add_argument(
+        "points",
+        metavar="POINTS",
+        help="a file of points in mm (CSV, .dat, or columns with normals), or a STEP file of the gear from any program",
+    )
+    made.add_argument(
+        "--spacing", type=_length, metavar="MM",
+        help="how far apart points are taken from a STEP file; default: a twentieth of the face width",
+    )  # fmt: skip
     made.add_argument("--member", choices=MEMBERS, required=True)
     made.add_argument("--no-turn", action="store_true", help="take the points as turned: no best fit about the axis")
     made.add_argument("--no-shift", action="store_true", help="take the points as placed: no best fit along the axis")

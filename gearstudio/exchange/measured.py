@@ -21,6 +21,7 @@ from gearstudio.theory.flank import FLANKS, involute_flank
 Floats = NDArray[np.float64]
 
 NOMINAL_HEADER = "x,y,z,nx,ny,nz,flank,row,column"
+MODEL_SUFFIXES = (".step", ".stp")
 _AXES = ("x", "y", "z")
 _NORMALS = ("nx", "ny", "nz")
 _ALIASES = {"i": "nx", "j": "ny", "k": "nz", "n_x": "nx", "n_y": "ny", "n_z": "nz"}
@@ -28,6 +29,11 @@ _LINES_AT_ONCE = 200_000
 _NO_DATA = re.compile(r"\s*($|#|!|//|open\b|begin\b|end\b)", re.IGNORECASE)
 _COLUMN = re.compile(r"\s*\"?\s*([a-z_]+)\s*(?:[\[(]\s*([^\])]*?)\s*[\])])?\s*\"?\s*$", re.IGNORECASE)
 _OTHER_UNITS = {"in": "inches", "inch": "inches", "inches": "inches", '"': "inches", "m": "metres", "cm": "centimetres"}
+
+
+def is_model(path: str | Path) -> bool:
+    """Whether a file's name says that it is a CAD model, of which points are taken, and not a file of points."""
+    return Path(path).suffix.lower() in MODEL_SUFFIXES
 
 
 @dataclass(frozen=True)
