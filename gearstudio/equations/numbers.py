@@ -1,0 +1,160 @@
+"""The numbers that a member puts into the equations of the theory, each by the equation's own formula."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from gearstudio.equations.records import Numbers, Subject, deg, mm, pure, rad
+from gearstudio.theory.involute import azimuth_from_arc, involute_azimuth, roll_arc
+from gearstudio.theory.pair import overlap_ratio, tip_arc, transverse_contact_ratio
+
+
+def involute(s: Subject) -> Numbers:
+    """beta at the tip of the heel."""
+    m = s.member
+    tip = float(m.tip_limit.at_sphere(m.outer_cone_distance))
+    beta = float(involute_azimuth(tip, m.base_angle))
+    return Numbers((deg("delta_k = delta_a", tip), deg("delta_b", m.base_angle)), (rad("beta_k", beta),))
+
+
+def pitch_angle(s: Subject) -> Numbers:
+    """delta of the member."""
+    m, mate = s.member, s.mate
+    angle = float(np.arctan2(np.sin(s.pair.shaft_angle), mate.teeth / m.teeth + np.cos(s.pair.shaft_angle)))
+    return Numbers(
+        (deg("Sigma", s.pair.shaft_angle), pure("z", m.teeth), pure("z'", mate.teeth)), (deg("delta", angle),)
+    )
+
+
+def base_radius(s: Subject) -> Numbers:
+    """R_b = m z cos(alpha) / 2."""
+    m = s.member
+    alpha = m.transverse_pressure_angle
+    radius = m.module * m.teeth * np.cos(alpha) / 2
+    return Numbers((mm("m", m.module), pure("z", m.teeth), deg("alpha", alpha)), (mm("R_b", radius),))
+
+
+def base_angle(s: Subject) -> Numbers:
+    """delta_b by tangents."""
+    m = s.member
+    alpha, delta = m.transverse_pressure_angle, m.pitch_angle
+    angle = np.arctan(np.sqrt(np.sin(delta) ** 2 / (np.tan(alpha) ** 2 + np.cos(delta) ** 2)))
+    return Numbers((deg("delta", delta), deg("alpha", alpha)), (deg("delta_b", float(angle)),))
+
+
+def element_angle(s: Subject) -> Numbers:
+    """gamma between pitch and base element."""
+    m = s.member
+    gamma = float(np.arccos(np.cos(m.pitch_angle) / np.cos(m.base_angle)))
+    return Numbers((deg("delta", m.pitch_angle), deg("delta_b", m.base_angle)), (deg("gamma", gamma),))
+
+
+def cone_distance(s: Subject) -> Numbers:
+    """R = R_b / sin(delta_b)."""
+    m = s.member
+    radius = m.module * m.teeth * np.cos(m.transverse_pressure_angle) / 2
+    return Numbers((mm("R_b", radius), deg("delta_b", m.base_angle)), (mm("R", radius / np.sin(m.base_angle)),))
+
+
+def transverse_angle(s: Subject) -> Numbers:
+    """alpha from the normal pressure angle."""
+    normal, spiral = s.pair.normal_pressure_angle, s.pair.mean_spiral_angle
+    alpha = float(np.arctan(np.tan(normal) / np.cos(spiral)))
+    return Numbers((deg("alpha_n", normal), deg("beta_m", spiral)), (deg("alpha", alpha),))
+
+
+def depths(s: Subject) -> Numbers:
+    """Face and root cone angles from the depths at the heel."""
+    m = s.member
+    return Numbers(
+        (mm("h_(a e)", m.addendum), mm("h_(f e)", m.dedendum), mm("R", m.outer_cone_distance)),
+        (deg("delta_a", m.tip_angle), deg("delta_f", m.root_angle)),
+    )
+
+
+def spiral_start(s: Subject) -> Numbers:
+    """The base cone spiral's azimuth from toe to heel."""
+    theta = s.member.lengthwise.azimuth([s.member.inner_cone_distance, s.member.outer_cone_distance])
+    return Numbers(
+        (
+            mm("B", s.member.face_width),
+            mm("R", s.member.outer_cone_distance),
+            deg("delta_b", s.member.base_angle),
+            deg("beta_m", s.pair.mean_spiral_angle),
+        ),
+        (rad("theta_max", abs(float(theta[1] - theta[0]))),),
+    )
+
+
+def roll_range(s: Subject) -> Numbers:
+    """Roll angles at the lowest and highest point of the heel's flank."""
+    m = s.member
+    low = float(roll_arc(max(m.root_angle, m.base_angle), m.base_angle)) / np.sin(m.base_angle)
+    high = tip_arc(m) / np.sin(m.base_angle)
+    return Numbers(
+        (deg("delta_b", m.base_angle), deg("delta_f", m.root_angle), deg("delta_a", m.tip_angle)),
+        (rad("Theta_f", low), rad("Theta_a", high)),
+    )
+
+
+def half_thickness(s: Subject) -> Numbers:
+    """Half the tooth's azimuth on the pitch cone."""
+    m = s.member
+    return Numbers(
+        (pure("z", m.teeth), deg("alpha", m.transverse_pressure_angle)), (rad('"half"', m.half_tooth_azimuth),)
+    )
+
+
+def flank(s: Subject) -> Numbers:
+    """Azimuth of the flank at the pitch cone and on the tip of the heel, side +1."""
+    m = s.member
+    tip = float(m.tip_limit.at_sphere(m.outer_cone_distance))
+    pitch_beta = float(azimuth_from_arc(roll_arc(m.pitch_angle, m.base_angle), m.base_angle))
+    tip_beta = float(involute_azimuth(tip, m.base_angle))
+    turned = float(m.lengthwise.azimuth(m.outer_cone_distance))
+    return Numbers(
+        (
+            rad('"half"', m.half_tooth_azimuth),
+            rad("beta(delta)", pitch_beta),
+            rad("beta(delta_a)", tip_beta),
+            rad("theta(R)", turned),
+        ),
+        (rad("phi(R, delta_a)", m.half_tooth_azimuth + pitch_beta - tip_beta + turned),),
+    )
+
+
+def fillet(s: Subject) -> Numbers:
+    """Fillet radius on the heel sphere."""
+    m = s.member
+    return Numbers(
+        (mm("m_n", s.pair.mean_normal_module), mm("R", m.outer_cone_distance)),
+        (mm("R_f", m.fillet_radius), rad("epsilon", m.fillet_angle)),
+    )
+
+
+def spiral_angle(s: Subject) -> Numbers:
+    """Spiral angles on the pitch cone at toe, mean and heel."""
+    m = s.member
+    places = (("i", m.inner_cone_distance), ("m", m.mean_cone_distance), ("e", m.outer_cone_distance))
+    given = (mm("r_0", m.lengthwise.cutter_radius),) if m.lengthwise.law == "circular_arc" else ()
+    return Numbers(
+        (*given, *(mm(f"R_{place}", rho) for place, rho in places)),
+        tuple(deg(f"beta_{place}", float(m.lengthwise.spiral_angle(rho))) for place, rho in places),
+    )
+
+
+def contact_ratio(s: Subject) -> Numbers:
+    """epsilon_alpha and epsilon_beta of the pair."""
+    pinion, wheel = s.pair.pinion, s.pair.wheel
+    return Numbers(
+        (
+            deg("gamma_1", pinion.gamma),
+            deg("gamma_2", wheel.gamma),
+            deg("delta_(a 1)", pinion.tip_angle),
+            deg("delta_(a 2)", wheel.tip_angle),
+        ),
+        (
+            pure("epsilon_alpha", transverse_contact_ratio(s.pair)),
+            pure("epsilon_beta", overlap_ratio(s.pair)),
+        ),
+    )

@@ -1,0 +1,102 @@
+"""What the pages are made of: headings, paragraphs, tables, figures, equations; plain records for the typesetter."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import asdict, dataclass, field
+from typing import Any
+
+
+@dataclass(frozen=True)
+class Text:
+    """A paragraph."""
+
+    text: str
+    kind: str = "text"
+
+
+@dataclass(frozen=True)
+class Heading:
+    """A heading inside a section."""
+
+    text: str
+    kind: str = "heading"
+
+
+@dataclass(frozen=True)
+class Table:
+    """A table.
+
+    Attributes
+    ----------
+    header : tuple of str
+    rows : tuple of tuple of str
+        A row with a single cell is a heading across the table.
+    align : str
+        One letter for each column: ``l``, ``r`` or ``c``.
+    caption : str
+    mathematics : tuple of int
+        Columns that are typst mathematics.
+    """
+
+    header: tuple[str, ...]
+    rows: tuple[tuple[str, ...], ...]
+    align: str
+    caption: str = ""
+    mathematics: tuple[int, ...] = ()
+    kind: str = "table"
+
+
+@dataclass(frozen=True)
+class Picture:
+    """A figure: the file's name beside the document, its caption, its width as part of the text's."""
+
+    file: str
+    caption: str
+    width: float = 1.0
+    kind: str = "picture"
+
+
+@dataclass(frozen=True)
+class Formula:
+    """An equation with its numbers."""
+
+    title: str
+    number: str
+    used: str
+    printed: str
+    meaning: str
+    departure: str
+    numbers: tuple[str, ...]
+    kind: str = "formula"
+
+
+Block = Text | Heading | Table | Picture | Formula
+
+
+@dataclass(frozen=True)
+class Chapter:
+    """A section of the report with its blocks."""
+
+    key: str
+    title: str
+    blocks: tuple[Block, ...]
+
+
+@dataclass(frozen=True)
+class Pages:
+    """The whole report: what stands on the first page, the chapters, and the files of the figures by name."""
+
+    title: str
+    facts: tuple[tuple[str, str], ...]
+    chapters: tuple[Chapter, ...]
+    files: dict[str, bytes] = field(default_factory=dict)
+
+    def data(self) -> dict[str, Any]:
+        """For the typesetter, without the figures' contents."""
+        return {"title": self.title, "facts": self.facts, "chapters": [asdict(one) for one in self.chapters]}
+
+
+def rows(table: Sequence[Sequence[str]]) -> tuple[tuple[str, ...], ...]:
+    """Rows as a `Table` takes them."""
+    return tuple(tuple(row) for row in table)

@@ -1,0 +1,74 @@
+"""What a report is made of: everything that has to be computed for the sections wanted."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Mapping
+from dataclasses import dataclass, field
+from typing import TypeVar
+
+from gearstudio.analysis.comparison import build_variant
+from gearstudio.analysis.contact import contact_analysis
+from gearstudio.analysis.contact_result import ContactResult
+from gearstudio.analysis.datasheet import DataSheet, data_sheet
+from gearstudio.catalogue import MEMBERS, METHOD_IDS, VARIANTS, MemberName, Variant
+from gearstudio.design import Design
+from gearstudio.errors import GearStudioError
+from gearstudio.results import VariantResult
+from gearstudio.theory.cones import PairGeometry, pair_geometry
+
+Report = Callable[[str, float], None]
+Key = tuple[MemberName, str, Variant]
+T = TypeVar("T")
+
+_BUILT_FOR = {"comparison", "deviation", "curvature", "topography", "pictures"}
+_SAMPLES = (49, 49)
+
+
+@dataclass(frozen=True)
+class Content:
+    """A design and what was computed from it.
+
+    Attributes
+    ----------
+    results : mapping of (member, method, variant) to VariantResult
+        Those that could be built; the reasons for the others are in `failures`.
+    sheet, contact : None where the section is not wanted or the geometry does not allow it.
+    """
+
+    design: Design
+    pair: PairGeometry
+    member: MemberName
+    results: Mapping[Key, VariantResult] = field(default_factory=dict)
+    failures: Mapping[Key, str] = field(default_factory=dict)
+    sheet: DataSheet | None = None
+    contact: ContactResult | None = None
+    notes: tuple[str, ...] = ()
+
+
+def gather(design: Design, member: MemberName, sections: Collection[str], report: Report) -> Content:
+    """Compute what the sections need; a part that fails is noted and leaves the others alone."""
+    pair = pair_geometry(design)
+    results: dict[Key, VariantResult] = {}
+    failures: dict[Key, str] = {}
+    if _BUILT_FOR & set(sections):
+        keys: list[Key] = [(m, method, v) for m in MEMBERS for method in METHOD_IDS for v in VARIANTS]
+        for index, key in enumerate(keys):
+            report(f"building {key[0]}, {key[1]}, {key[2]}", 0.5 * index / len(keys))
+            try:
+                results[key] = build_variant(design, *key, _SAMPLES)
+            except GearStudioError as error:
+                failures[key] = str(error)
+    notes: list[str] = []
+    report("geometry data sheet", 0.5)
+    sheet = _tried(lambda: data_sheet(design), notes) if "sheet" in sections else None
+    report("tooth contact", 0.55)
+    contact = _tried(lambda: contact_analysis(pair), notes) if "contact" in sections else None
+    return Content(design, pair, member, results, failures, sheet, contact, tuple(notes))
+
+
+def _tried(make: Callable[[], T], notes: list[str]) -> T | None:
+    try:
+        return make()
+    except GearStudioError as error:
+        notes.append(str(error))
+        return None

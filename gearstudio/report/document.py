@@ -1,0 +1,104 @@
+"""From a design to the finished report: compute, draw, typeset."""
+
+from __future__ import annotations
+
+import json
+import platform
+import tempfile
+from collections.abc import Callable, Collection, Mapping
+from datetime import datetime
+from importlib import metadata, resources
+from pathlib import Path
+
+from gearstudio import __version__
+from gearstudio.catalogue import MemberName
+from gearstudio.design import Design
+from gearstudio.errors import ModellingError
+from gearstudio.report.blocks import Pages
+from gearstudio.report.chapters import Store, chapter
+from gearstudio.report.content import Content, gather
+from gearstudio.report.sections import SECTION_KEYS
+
+Report = Callable[[str, float], None]
+_PARTS = ("cadquery-ocp-novtk", "numpy", "scipy", "typst")
+
+
+def make_report(
+    design: Design,
+    sections: Collection[str] = SECTION_KEYS,
+    member: MemberName = "wheel",
+    pictures: Mapping[str, bytes] | None = None,
+    report: Report = lambda stage, fraction: None,
+) -> bytes:
+    """The report of a design as a PDF.
+
+    Parameters
+    ----------
+    design : Design
+        Without errors.
+    sections : collection of str
+        Keys of `SECTIONS`; they come in the order of the report.
+    member : {"pinion", "wheel"}
+        Whose flanks the maps show; tables have both.
+    pictures : mapping of name to PNG, optional
+        Of the three views (``views``) and of the pair (``pair``).
+    report : callable
+        Takes the stage that begins and the fraction done.
+
+    Raises
+    ------
+    ModellingError
+        The pages could not be set.
+    """
+    content = gather(design, member, sections, report)
+    store = Store(pictures or {})
+    wanted = [key for key in SECTION_KEYS if key in sections]
+    made = []
+    for index, key in enumerate(wanted):
+        report(f"drawing {key}", 0.6 + 0.3 * index / len(wanted))
+        made.append(chapter(key, content, store))
+    report("setting the pages", 0.9)
+    return typeset(Pages(design.name or "Unnamed pair", _facts(content), tuple(made), store.files))
+
+
+def typeset(pages: Pages) -> bytes:
+    """The pages as a PDF.
+
+    Raises
+    ------
+    ModellingError
+        The typesetter refuses them.
+    """
+    import typst
+
+    with tempfile.TemporaryDirectory(prefix="gearstudio-report-") as folder:
+        root = Path(folder)
+        template = resources.files("gearstudio.report") / "report.typ"
+        (root / "report.typ").write_text(template.read_text(encoding="utf-8"), encoding="utf-8")
+        (root / "data.json").write_text(json.dumps(pages.data()), encoding="utf-8")
+        for name, content in pages.files.items():
+            (root / name).write_bytes(content)
+        try:
+            return bytes(typst.compile(root / "report.typ", root=root, format="pdf"))
+        except typst.TypstError as error:
+            raise ModellingError("report", "typesetting", str(error)) from error
+
+
+def _facts(content: Content) -> tuple[tuple[str, str], ...]:
+    d, pair = content.design, content.pair
+    versions = ", ".join(f"{name} {metadata.version(name)}" for name in _PARTS)
+    facts = [
+        ("Pair", f"{d.pair.pinion_teeth} / {d.pair.wheel_teeth} teeth, outer module {d.pair.outer_module:g} mm, "
+                 f"shaft angle {d.pair.shaft_angle_deg:g}°, {d.pair.pinion_hand}-hand pinion"),
+        ("Teeth", f"{d.lengthwise.curve.replace('_', ' ')}, spiral angle {d.lengthwise.spiral_angle_deg:g}° at "
+                  f"{d.lengthwise.spiral_angle_at}, pressure angle {d.pair.pressure_angle_deg:g}° "
+                  f"{d.pair.pressure_angle_kind}"),
+        ("Size", f"outer cone distance {pair.wheel.outer_cone_distance:.4f} mm, "
+                 f"face width {pair.wheel.face_width:.4f} mm"),
+        ("Maps show", f"the {content.member}"),
+        ("Tolerance", f"{d.methods.tolerance_um:g} µm for the optimised variants"),
+        ("Made", f"{datetime.now().astimezone():%Y-%m-%d %H:%M %Z} by GearStudio {__version__}"),
+        ("With", f"Python {platform.python_version()}, {versions}, on {platform.system()}"),
+        *(("Note", note) for note in content.notes),
+    ]  # fmt: skip
+    return tuple(facts)

@@ -1,0 +1,63 @@
+"""The report: a PDF with the sections asked for, from the numbers of the design."""
+
+import json
+import re
+
+import pytest
+
+from gearstudio.design import Design
+from gearstudio.report.blocks import Pages, Picture, Table
+from gearstudio.report.chapters import Store, chapter
+from gearstudio.report.content import gather
+from gearstudio.report.document import make_report, typeset
+from gearstudio.report.sections import SECTION_KEYS
+
+pytestmark = pytest.mark.kernel
+
+
+def _quiet(stage: str, fraction: float) -> None:
+    """Takes progress and says nothing."""
+
+
+def _page_count(pdf: bytes) -> int:
+    return len(re.findall(rb"/Type\s*/Page\b", pdf))
+
+
+def test_the_table_of_the_comparison_holds_the_built_deviations() -> None:
+    content = gather(Design(), "pinion", ("comparison",), _quiet)
+    made = chapter("comparison", content, Store({}))
+    table = next(block for block in made.blocks if isinstance(block, Table))
+    shown = {(row[0], row[1]): row[2] for row in table.rows if len(row) > 1}
+    result = content.results[("pinion", "profile_sweep", "published")]
+    assert shown[("Profile sweep", "published")] == f"{result.statistics.max_um:.3g}"
+    assert len(shown) == 6
+
+
+def test_only_the_sections_wanted_are_computed() -> None:
+    content = gather(Design(), "wheel", ("design", "sheet"), _quiet)
+    assert not content.results and content.contact is None and content.sheet is not None
+
+
+def test_every_picture_named_is_there() -> None:
+    content = gather(Design(), "wheel", SECTION_KEYS, _quiet)
+    store = Store({"views": b"png"})
+    for key in ("comparison", "pictures", "deviation", "curvature", "contact"):
+        for block in chapter(key, content, store).blocks:
+            if isinstance(block, Picture):
+                assert block.file in store.files
+
+
+def test_marks_of_the_typesetter_in_a_name_stay_text() -> None:
+    pages = Pages('#panic("no") $x$ *b* "q" \\ 螺旋', (("Note", "#[a] = $ b"),), ())
+    assert json.loads(json.dumps(pages.data()))["title"].startswith("#panic")
+    assert typeset(pages).startswith(b"%PDF")
+
+
+@pytest.mark.slow
+def test_a_whole_report_reports_its_progress() -> None:
+    said: list[tuple[str, float]] = []
+    design = Design()
+    pdf = make_report(design, ("design", "comparison", "contact"), "pinion", None, lambda *x: said.append(x))
+    assert pdf.startswith(b"%PDF") and _page_count(pdf) >= 3
+    fractions = [fraction for _, fraction in said]
+    assert fractions == sorted(fractions) and fractions[0] == 0.0
