@@ -1,12 +1,14 @@
-"""``info``: the derived geometry of both members, and warnings."""
+"""``info``: the geometry data sheet of both members, and warnings."""
 
 from __future__ import annotations
 
 import argparse
+from dataclasses import asdict
 from typing import Any
 
 import numpy as np
 
+from gearstudio.analysis.datasheet import DataSheet, data_sheet, sheet_text
 from gearstudio.catalogue import MEMBERS
 from gearstudio.cli.output import STANDARD_OUTPUT, table, write_json
 from gearstudio.design import Design
@@ -16,42 +18,13 @@ from gearstudio.theory.pair import overlap_ratio, tip_half_azimuth, transverse_c
 from gearstudio.theory.profile import fillet
 from gearstudio.validation import check
 
-_TITLES = {
-    "teeth": "Teeth",
-    "hand": "Hand",
-    "pitch_angle_deg": "Pitch angle",
-    "base_angle_deg": "Base angle",
-    "tip_angle_deg": "Face (tip) angle",
-    "root_angle_deg": "Root angle",
-    "transverse_pressure_angle_deg": "Transverse pressure angle",
-    "gamma_deg": "Pitch to base element",
-    "outer_cone_distance": "Outer cone distance",
-    "mean_cone_distance": "Mean cone distance",
-    "inner_cone_distance": "Inner cone distance",
-    "face_width": "Face width",
-    "outer_pitch_diameter": "Outer pitch diameter",
-    "outer_tip_diameter": "Outer tip diameter",
-    "base_radius": "Base radius",
-    "addendum": "Addendum",
-    "dedendum": "Dedendum",
-    "half_tooth_azimuth_deg": "Half tooth on the pitch cone",
-    "tip_half_azimuth_deg": "Half tooth at the tip",
-    "tip_width": "Tip width at the heel",
-    "theta_toe_deg": "Tooth turned at the toe",
-    "theta_heel_deg": "Tooth turned at the heel",
-    "spiral_angle_toe_deg": "Spiral angle at the toe",
-    "spiral_angle_heel_deg": "Spiral angle at the heel",
-    "fillet_radius": "Fillet radius at the heel",
-    "shaft_angle_deg": "Shaft angle",
-    "gear_ratio": "Ratio",
-    "outer_module": "Outer transverse module",
-    "mean_normal_module": "Mean normal module",
-    "normal_pressure_angle_deg": "Normal pressure angle",
-    "mean_spiral_angle_deg": "Mean spiral angle",
-    "transverse_contact_ratio": "Transverse contact ratio",
-    "overlap_ratio": "Overlap ratio",
-}
-_RATIOS = {"teeth", "hand", "gear_ratio", "transverse_contact_ratio", "overlap_ratio"}
+_OF_THE_TOOTH = (
+    ("hand", "Hand", ""),
+    ("tip_half_azimuth_deg", "Half tooth at the tip", "°"),
+    ("theta_toe_deg", "Tooth turned at the toe", "°"),
+    ("theta_heel_deg", "Tooth turned at the heel", "°"),
+)
+"""What the data sheet does not name."""
 
 
 def run(args: argparse.Namespace) -> int:
@@ -70,7 +43,18 @@ def info(design: Design) -> dict[str, Any]:
     pair = pair_geometry(design)
     warnings = [{"code": w.code, "field": w.field, "message": w.message} for w in check(design)]
     members: dict[str, Any] = {name: member_info(pair.member(name)) for name in MEMBERS}
-    return {**members, "pair": pair_info(pair), "warnings": warnings}
+    return {**members, "pair": pair_info(pair), "datasheet": sheet_records(data_sheet(design)), "warnings": warnings}
+
+
+def sheet_records(sheet: DataSheet) -> list[dict[str, Any]]:
+    """The data sheet as plain values, one record for each quantity of each member."""
+    return [
+        {
+            **asdict(quantity),
+            "inputs": [dict(zip(("symbol", "value", "unit"), i, strict=True)) for i in quantity.inputs],
+        }
+        for quantity in sheet.quantities
+    ]
 
 
 def member_info(member: MemberGeometry) -> dict[str, Any]:
@@ -125,17 +109,11 @@ def pair_info(pair: PairGeometry) -> dict[str, Any]:
 
 def _text(design: Design, data: dict[str, Any]) -> str:
     rows: list[tuple[str, ...]] = [("", *MEMBERS, "")]
-    rows += [(_TITLES[key], *(_cell(data[name][key]) for name in MEMBERS), _unit(key)) for key in data["pinion"]]
-    pair = [(_TITLES[key], _cell(value), _unit(key)) for key, value in data["pair"].items()]
+    rows += [(title, *(_cell(data[name][key]) for name in MEMBERS), unit) for key, title, unit in _OF_THE_TOOTH]
     warnings = [f"warning: {w['field']}: {w['message']}" for w in data["warnings"]]
-    return "\n".join(
-        [design.name, "", table(rows, (0, 3)), "", table(pair, (0, 2)), *([""] if warnings else []), *warnings]
-    )
+    sheet = sheet_text(data_sheet(design), "text")
+    return "\n".join([design.name, "", sheet, table(rows, (0, 3)), *([""] if warnings else []), *warnings])
 
 
 def _cell(value: object) -> str:
     return f"{value:.5f}" if isinstance(value, float) else str(value)
-
-
-def _unit(key: str) -> str:
-    return "" if key in _RATIOS else "°" if key.endswith("_deg") else "mm"

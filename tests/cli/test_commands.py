@@ -96,10 +96,22 @@ def test_info_prints_a_table_and_its_warnings(run: Any, tmp_path: Path) -> None:
     status, out, problems = run("info", tmp_path / "a.gear.toml", "--json", tmp_path / "info.json")
     assert (status, problems) == (0, [])
     lines = out.splitlines()
-    assert any(line.split() == ["Pitch", "angle", "12.38076", "77.61924", "°"] for line in lines)
+    assert any(line.split() == ["Pitch", "angle", "δ", "12.38076", "77.61924", "°"] for line in lines)
+    assert any(line.split()[:3] == ["Total", "contact", "ratio"] for line in lines)
     assert any(line.startswith("warning: tooth.profile_shift: ") for line in lines)
     data = json.loads((tmp_path / "info.json").read_text(encoding="utf-8"))
     assert [(w["code"], w["field"]) for w in data["warnings"]] == [("interference", "tooth.profile_shift")]
+
+
+def test_info_holds_the_data_sheet(run: Any) -> None:
+    _, out, _ = run("info", "preset:default", "--json", "-")
+    data = json.loads(out)
+    sheet = {(line["name"], line["owner"]): line for line in data["datasheet"]}
+    for member in MEMBERS:
+        assert sheet["Pitch angle", member]["value"] == pytest.approx(data[member]["pitch_angle_deg"], abs=1e-12)
+    ratio = sheet["Transverse contact ratio", "pair"]
+    assert ratio["value"] == pytest.approx(data["pair"]["transverse_contact_ratio"])
+    assert ratio["unit"] == "" and ratio["formula"] and {"symbol", "value", "unit"} == set(ratio["inputs"][0])
 
 
 def test_info_to_standard_output_is_nothing_but_json(run: Any) -> None:
