@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from gearstudio.errors import GeometryError
 from gearstudio.methods.grafts import placed
 from gearstudio.methods.rings import SHARE, Points, Rings
 from gearstudio.methods.tooth import Tooth
@@ -20,9 +21,10 @@ Ints = NDArray[np.int64]
 _FIRST = 8
 _FEWEST, _MOST = 2, 400
 _FINE = 4
+_MOST_TRIANGLES = 6_000_000
 
 
-def gear_mesh(tooth: Tooth, outline: Floats, tolerance: float) -> Mesh:
+def gear_mesh(tooth: Tooth, outline: Floats, tolerance: float, angle: float = np.pi) -> Mesh:
     """Triangles of a whole gear.
 
     Parameters
@@ -32,9 +34,16 @@ def gear_mesh(tooth: Tooth, outline: Floats, tolerance: float) -> Mesh:
         (radius, height) of the body from heel to toe [mm].
     tolerance : float
         Farthest that a triangle may lie from the surface [mm].
+    angle : float
+        Largest between neighbouring chords [rad].
+
+    Raises
+    ------
+    GeometryError
+        That takes more triangles than any program would read.
     """
     member = tooth.member
-    sampled = _Sampled.of(tooth, tolerance)
+    sampled = _Sampled.of(tooth, tolerance, angle)
     maker = Points()
     columns = maker.add(_all_turns(sampled.points, member.teeth))
     groups: dict[str, list[Ints]] = {}
@@ -42,7 +51,7 @@ def gear_mesh(tooth: Tooth, outline: Floats, tolerance: float) -> Mesh:
         starts = np.arange(first, last)[None, :] + sampled.columns * np.arange(member.teeth)[:, None]
         groups.setdefault(name, []).append(_quads(columns, starts.ravel()))
     body: list[Ints] = []
-    rings = Rings(member, outline, tolerance, maker)
+    rings = Rings(member, outline, tolerance, angle, maker)
     for end in (1, 0):
         loop, ladder = _end_ladder(sampled, columns, end, maker)
         body.append(ladder)
@@ -52,9 +61,9 @@ def gear_mesh(tooth: Tooth, outline: Floats, tolerance: float) -> Mesh:
     return Mesh(maker.stacked(), {name: np.concatenate(parts) for name, parts in groups.items()})
 
 
-def tooth_mesh(tooth: Tooth, tolerance: float) -> Mesh:
-    """Triangles of a single tooth, closed below along the root cone."""
-    sampled = _Sampled.of(tooth, tolerance, with_root=False)
+def tooth_mesh(tooth: Tooth, tolerance: float, angle: float = np.pi) -> Mesh:
+    """Triangles of a single tooth, closed below along the root cone; see `gear_mesh`."""
+    sampled = _Sampled.of(tooth, tolerance, angle, with_root=False)
     maker = Points()
     columns = maker.add(sampled.points)
     groups: dict[str, list[Ints]] = {}
@@ -90,13 +99,18 @@ class _Sampled:
     columns: int
 
     @staticmethod
-    def of(tooth: Tooth, tolerance: float, with_root: bool = True) -> _Sampled:
+    def of(tooth: Tooth, tolerance: float, angle: float, with_root: bool = True) -> _Sampled:
         faces = [face for face in tooth.faces if with_root or face.kind != "root"]
         goal = SHARE * tolerance
-        along = max(_count(face.surface, 1, goal) for face in faces)
-        across: dict[str, int] = {}
+        along = max(_count(face.surface, 1, goal, angle) for face in faces)
+        across = {"tip": _end_count(tooth, goal, angle)}
         for face in faces:
-            across[face.kind] = max(across.get(face.kind, 0), _count(face.surface, 0, goal))
+            across[face.kind] = max(across.get(face.kind, 0), _count(face.surface, 0, goal, angle))
+        if 2 * along * sum(across[face.kind] for face in faces) * tooth.member.teeth > _MOST_TRIANGLES:
+            raise GeometryError(
+                f"triangles within {tolerance:.3g} mm and {np.degrees(angle):.3g}° of the {tooth.member.name} would be "
+                f"more than {_MOST_TRIANGLES // 1_000_000} million; allow a larger distance or angle"
+            )
         v = np.linspace(0.0, 1.0, along + 1)
         grids, runs, at = [], [], 0
         for face in faces:
@@ -114,14 +128,25 @@ def _group(kind: str, side: int, hand: int) -> str:
     return kind if kind != "flank" else ("concave" if side == hand else "convex")
 
 
-def _count(surface: NurbsSurface, axis: int, goal: float) -> int:
-    """Even steps along one parameter that keep chords within a goal: their error falls with the square."""
+def _count(surface: NurbsSurface, axis: int, goal: float, angle: float) -> int:
+    """Even steps along one parameter that keep chords within a goal, whose error falls with the square, and an angle."""
     fine = np.linspace(0.0, 1.0, 2 * _FIRST * _FINE + 1)
     coarse = np.linspace(0.0, 1.0, 9)
     points = surface.grid(fine, coarse) if axis == 0 else np.swapaxes(surface.grid(coarse, fine), 0, 1)
     sagitta = np.linalg.norm(points[1:-1:1] - (points[:-2] + points[2:]) / 2, axis=-1).max()
     steps = (len(fine) - 1) * float(np.sqrt(sagitta / goal)) / 2
-    return int(np.clip(np.ceil(steps), _FEWEST, _MOST))
+    ways = np.diff(points, axis=0)
+    ways /= np.maximum(np.linalg.norm(ways, axis=-1, keepdims=True), np.finfo(float).tiny)
+    bend = 2 * np.arcsin(np.clip(np.linalg.norm(np.diff(ways, axis=0), axis=-1).max() / 2, 0.0, 1.0))
+    return int(np.clip(np.ceil(max(steps, (len(fine) - 1) * bend / angle)), _FEWEST, _MOST))
+
+
+def _end_count(tooth: Tooth, goal: float, angle: float) -> int:
+    """Even steps across the foot of the tooth's ends, which are as curved as the circle that they stand on."""
+    member, fillet = tooth.member, tooth.profile.fillet
+    radius = float(member.cone_distance(member.outer_cone_distance, member.root_angle) * np.sin(member.root_angle))
+    step = min(2 * float(np.arccos(1 - min(goal / radius, 0.5))), angle)
+    return int(np.clip(np.ceil(2 * fillet.centre_azimuth / step), _FEWEST, _MOST))
 
 
 def _all_turns(points: Floats, teeth: int) -> Floats:

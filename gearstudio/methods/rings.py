@@ -44,6 +44,7 @@ class Rings:
     member: MemberGeometry
     outline: Floats
     tolerance: float
+    angle: float
     maker: Points
     ends: dict[int, Ints] = field(default_factory=dict)
 
@@ -53,8 +54,8 @@ class Rings:
         if radius < 1e-9:
             return self.maker.add(np.array([[0.0, 0.0, height]]))
         widest = float(self.outline[:, 0].max())
-        least = np.pi / np.arccos(1 - min(SHARE * self.tolerance / widest, 0.5))
-        angles = 2 * np.pi * np.arange(max(int(np.ceil(least)), 24)) / max(int(np.ceil(least)), 24)
+        count = max(int(np.ceil(2 * np.pi / self._step(widest))), 24)
+        angles = 2 * np.pi * np.arange(count) / count
         x, y = radius * np.cos(angles), radius * np.sin(angles)
         return self.maker.add(np.stack([x, y, np.full_like(x, height)], axis=-1))
 
@@ -74,9 +75,12 @@ class Rings:
             return target[None, :]
         radius = float(np.hypot(*target))
         first, last = np.arctan2(np.hypot(start[0], start[1]), start[2]), np.arctan2(target[0], target[1])
-        step = 2 * np.arccos(1 - min(SHARE * self.tolerance / radius, 0.5))
-        angles = np.linspace(first, last, max(int(np.ceil(abs(last - first) / step)), 1) + 1)[1:]
+        angles = np.linspace(first, last, max(int(np.ceil(abs(last - first) / self._step(radius))), 1) + 1)[1:]
         return np.stack([radius * np.sin(angles), radius * np.cos(angles)], axis=-1)
+
+    def _step(self, radius: float) -> float:
+        """Angle of a chord of a circle [rad]."""
+        return min(2 * float(np.arccos(1 - min(SHARE * self.tolerance / radius, 0.5))), self.angle)
 
     def body(self) -> Ints:
         """Triangles of the turned body between the two ends."""
