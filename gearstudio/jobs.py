@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 Report = Callable[[str, float], None]
 """Takes the stage that begins and the fraction done, 0 to 1."""
 
-Purpose = Literal["build", "solid", "export", "sample"]
+Purpose = Literal["build", "solid", "export", "sample", "report"]
 
 FORMATS = {
     "flanks": ("step",),

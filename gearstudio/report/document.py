@@ -23,14 +23,14 @@ Report = Callable[[str, float], None]
 _PARTS = ("cadquery-ocp-novtk", "numpy", "scipy", "typst")
 
 
-def make_report(
+def compose(
     design: Design,
-    sections: Collection[str] = SECTION_KEYS,
-    member: MemberName = "wheel",
-    pictures: Mapping[str, bytes] | None = None,
-    report: Report = lambda stage, fraction: None,
-) -> bytes:
-    """The report of a design as a PDF.
+    sections: Collection[str],
+    member: MemberName,
+    pictures: Mapping[str, bytes],
+    report: Report,
+) -> Pages:
+    """Compute and draw the report of a design.
 
     Parameters
     ----------
@@ -40,29 +40,23 @@ def make_report(
         Keys of `SECTIONS`; they come in the order of the report.
     member : {"pinion", "wheel"}
         Whose flanks the maps show; tables have both.
-    pictures : mapping of name to PNG, optional
+    pictures : mapping of name to PNG
         Of the three views (``views``) and of the pair (``pair``).
     report : callable
         Takes the stage that begins and the fraction done.
-
-    Raises
-    ------
-    ModellingError
-        The pages could not be set.
     """
     content = gather(design, member, sections, report)
-    store = Store(pictures or {})
+    store = Store(pictures)
     wanted = [key for key in SECTION_KEYS if key in sections]
     made = []
     for index, key in enumerate(wanted):
         report(f"drawing {key}", 0.6 + 0.3 * index / len(wanted))
         made.append(chapter(key, content, store))
-    report("setting the pages", 0.9)
-    return typeset(Pages(design.name or "Unnamed pair", _facts(content), tuple(made), store.files))
+    return Pages(design.name or "Unnamed pair", _facts(content), tuple(made), store.files)
 
 
-def typeset(pages: Pages) -> bytes:
-    """The pages as a PDF.
+def typeset(pages: Pages, dots_per_inch: int = 0) -> tuple[bytes, ...]:
+    """The pages as one PDF, or as a PNG picture each at a resolution.
 
     Raises
     ------
@@ -79,9 +73,12 @@ def typeset(pages: Pages) -> bytes:
         for name, content in pages.files.items():
             (root / name).write_bytes(content)
         try:
-            return bytes(typst.compile(root / "report.typ", root=root, format="pdf"))
+            if not dots_per_inch:
+                return (bytes(typst.compile(root / "report.typ", root=root, format="pdf")),)
+            made = typst.compile(root / "report.typ", root=root, format="png", ppi=dots_per_inch)
         except typst.TypstError as error:
             raise ModellingError("report", "typesetting", str(error)) from error
+    return tuple(made) if isinstance(made, list) else (bytes(made),)
 
 
 def _facts(content: Content) -> tuple[tuple[str, str], ...]:

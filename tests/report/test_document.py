@@ -9,7 +9,7 @@ from gearstudio.design import Design
 from gearstudio.report.blocks import Pages, Picture, Table
 from gearstudio.report.chapters import Store, chapter
 from gearstudio.report.content import gather
-from gearstudio.report.document import make_report, typeset
+from gearstudio.report.document import compose, typeset
 from gearstudio.report.sections import SECTION_KEYS
 
 pytestmark = pytest.mark.kernel
@@ -50,14 +50,16 @@ def test_every_picture_named_is_there() -> None:
 def test_marks_of_the_typesetter_in_a_name_stay_text() -> None:
     pages = Pages('#panic("no") $x$ *b* "q" \\ 螺旋', (("Note", "#[a] = $ b"),), ())
     assert json.loads(json.dumps(pages.data()))["title"].startswith("#panic")
-    assert typeset(pages).startswith(b"%PDF")
+    assert typeset(pages)[0].startswith(b"%PDF")
+    assert all(page.startswith(b"\x89PNG") for page in typeset(pages, 40))
 
 
 @pytest.mark.slow
 def test_a_whole_report_reports_its_progress() -> None:
     said: list[tuple[str, float]] = []
     design = Design()
-    pdf = make_report(design, ("design", "comparison", "contact"), "pinion", None, lambda *x: said.append(x))
+    pages = compose(design, ("design", "comparison", "contact"), "pinion", {}, lambda *x: said.append(x))
+    pdf = typeset(pages)[0]
     assert pdf.startswith(b"%PDF") and _page_count(pdf) >= 3
     fractions = [fraction for _, fraction in said]
     assert fractions == sorted(fractions) and fractions[0] == 0.0

@@ -1,0 +1,50 @@
+"""The report as a job of the CAD process."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, ClassVar
+
+from gearstudio.jobs import Job, Purpose
+
+if TYPE_CHECKING:
+    from gearstudio.catalogue import MemberName
+    from gearstudio.design import Design
+
+
+@dataclass(frozen=True)
+class Reported:
+    """A report: the PDF, and its pages as PNG pictures when they were asked for."""
+
+    pdf: bytes
+    pages: tuple[bytes, ...] = ()
+
+
+@dataclass(frozen=True)
+class ReportJob(Job):
+    """Compute, draw and typeset the report of a design.
+
+    ``member`` is the one whose flanks the maps show, ``pictures`` are PNG pictures by name, and ``preview`` is
+    the resolution of the pages' pictures [dots per inch], 0 for none.
+    """
+
+    purpose: ClassVar[Purpose] = "report"
+
+    design: Design
+    sections: tuple[str, ...]
+    member: MemberName
+    pictures: tuple[tuple[str, bytes], ...] = ()
+    preview: int = 0
+
+    @property
+    def label(self) -> str:
+        return f"report of {self.design.name}"
+
+    def run(self, report: Callable[[str, float], None]) -> Reported:
+        from gearstudio.report.document import compose, typeset
+
+        pages = compose(self.design, self.sections, self.member, dict(self.pictures), report)
+        report("setting the pages", 0.9)
+        shown = typeset(pages, self.preview) if self.preview else ()
+        return Reported(typeset(pages)[0], shown)
