@@ -4,16 +4,14 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import (
     QFileDialog,
     QHBoxLayout,
     QLabel,
-    QMenu,
     QSplitter,
     QStackedWidget,
-    QToolButton,
     QVBoxLayout,
     QWidget,
 )
@@ -25,10 +23,11 @@ from gearstudio.files import write_text
 from ui.analysis.explanation import Explanation
 from ui.analysis.published_table import PublishedTable
 from ui.analysis.sheet_table import SheetTable
+from ui.charts.buttons import menu_button
 from ui.charts.frame import documents
 from ui.method_bar import Segments
 from ui.session import Session
-from ui.theme import set_icon
+from ui.words import tr
 
 VIEWS = (
     ("sheet", "Both members", "Every value of the pair; a row explains itself"),
@@ -74,8 +73,9 @@ class DatasheetPage(QWidget):
         head.setContentsMargins(8, 4, 6, 4)
         head.addWidget(self.views)
         head.addStretch(1)
-        head.addWidget(self._menu_button("copy", "Copy the sheet", self.copy))
-        head.addWidget(self._menu_button("save", "Save the sheet", self.ask_and_save))
+        choices = [(name, tr("As {format}", format=title)) for name, title, _ in FORMATS]
+        head.addWidget(menu_button("copy", tr("Copy the sheet"), choices, self.copy))
+        head.addWidget(menu_button("save", tr("Save the sheet"), choices, self.ask_and_save))
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.setSpacing(0)
@@ -143,17 +143,3 @@ class DatasheetPage(QWidget):
             self.said.emit("error", f"The data sheet was not saved: {error}")
         else:
             self.said.emit("info", f"Saved the data sheet as {path}")
-
-    def _menu_button(self, icon: str, tip: str, run: object) -> QToolButton:
-        button = QToolButton()
-        button.setAutoRaise(True)
-        button.setIconSize(QSize(16, 16))
-        set_icon(button, icon)
-        button.setToolTip(tip)
-        button.setAccessibleName(tip)
-        button.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
-        menu = QMenu(button)
-        for format_, title, _ in FORMATS:
-            menu.addAction(f"As {title}").triggered.connect(lambda _checked=False, chosen=format_: run(chosen))  # type: ignore[operator]
-        button.setMenu(menu)
-        return button

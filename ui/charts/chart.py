@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 import pyqtgraph as pg
-from PySide6.QtCore import QPointF, QRectF, Qt
-from PySide6.QtGui import QColor, QPainter
+from PySide6.QtCore import QPointF
+from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from ui.charts.colors import chart_color
-from ui.charts.export import Paint
+from ui.charts.export import Paint, scene_paint
 from ui.charts.parts import ChartAxis, curve, legend_text, pen
 from ui.charts.records import Axis, ChartData, Reference, Series, Table
 
@@ -74,13 +74,7 @@ class Chart(QWidget):
     @property
     def paint(self) -> Paint:
         """A function that draws the chart as it is, on the theme's ground, into any painter."""
-
-        def draw(painter: QPainter, area: QRectF) -> None:
-            painter.fillRect(area, chart_color("surface"))
-            self._view.scene().prepareForPaint()
-            self._view.render(painter, area, self._view.viewport().rect(), Qt.AspectRatioMode.IgnoreAspectRatio)
-
-        return draw
+        return scene_paint(self._view, lambda: chart_color("surface"))
 
     @property
     def table(self) -> Table:

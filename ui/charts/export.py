@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable
 from pathlib import Path
 
-from PySide6.QtCore import QBuffer, QByteArray, QIODevice, QMimeData, QRect, QRectF, QSize
-from PySide6.QtGui import QImage, QPainter
+from PySide6.QtCore import QBuffer, QByteArray, QIODevice, QMimeData, QRect, QRectF, QSize, Qt
+from PySide6.QtGui import QColor, QImage, QPainter
 from PySide6.QtSvg import QSvgGenerator
+from PySide6.QtWidgets import QGraphicsView
 
 from gearstudio.errors import FileError
 from gearstudio.files import write_bytes
@@ -17,6 +18,17 @@ SUFFIXES = (".png", ".svg", ".csv")
 SCALE = 2.0
 """A saved picture has this many pixels for one on the screen."""
 Paint = Callable[[QPainter, QRectF], None]
+
+
+def scene_paint(view: QGraphicsView, ground: Callable[[], QColor]) -> Paint:
+    """A function that draws a graphics view as it is, on a ground, into any painter."""
+
+    def draw(painter: QPainter, area: QRectF) -> None:
+        painter.fillRect(area, ground())
+        view.scene().prepareForPaint()  # type: ignore[attr-defined]
+        view.render(painter, area, view.viewport().rect(), Qt.AspectRatioMode.IgnoreAspectRatio)
+
+    return draw
 
 
 def picture(size: QSize, paint: Paint) -> QImage:

@@ -7,12 +7,13 @@ from typing import Protocol
 
 from PySide6.QtCore import QDir, QSize, QStandardPaths, Signal
 from PySide6.QtGui import QGuiApplication
-from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QLabel, QSizePolicy, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QLabel, QSizePolicy, QVBoxLayout, QWidget
 
 from gearstudio.errors import FileError
+from ui.charts.buttons import tool_button
 from ui.charts.export import FILTERS, Paint, clipboard_data, save
 from ui.charts.records import Table
-from ui.theme import set_icon
+from ui.words import tr
 
 
 def documents() -> str:
@@ -57,8 +58,8 @@ class ChartFrame(QWidget):
         self.hint.setProperty("role", "muted")
         self.hint.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         self.head.addWidget(self.hint, 1)
-        self._button("copy", "Copy the picture and the numbers", self.copy)
-        self._button("save", "Save as PNG, SVG or CSV…", self.ask_and_save)
+        self.head.addWidget(tool_button("copy", tr("Copy the picture and the numbers"), self.copy))
+        self.head.addWidget(tool_button("save", tr("Save as PNG, SVG or CSV…"), self.ask_and_save))
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.setSpacing(0)
@@ -95,13 +96,3 @@ class ChartFrame(QWidget):
             self.said.emit("error", f"The chart was not saved: {error}")
         else:
             self.said.emit("info", f"Saved the chart as {written}")
-
-    def _button(self, icon: str, tip: str, run: object) -> None:
-        button = QToolButton()
-        button.setAutoRaise(True)
-        button.setIconSize(QSize(16, 16))
-        set_icon(button, icon)
-        button.setToolTip(tip)
-        button.setAccessibleName(tip)
-        button.clicked.connect(run)
-        self.head.addWidget(button)

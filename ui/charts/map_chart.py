@@ -7,12 +7,11 @@ from collections.abc import Sequence
 import numpy as np
 import pyqtgraph as pg
 from numpy.typing import NDArray
-from PySide6.QtCore import QPointF, QRectF, Qt, Signal
-from PySide6.QtGui import QPainter
+from PySide6.QtCore import QPointF, QRectF, Signal
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from ui.charts.colors import chart_color
-from ui.charts.export import Paint
+from ui.charts.export import Paint, scene_paint
 from ui.charts.maps import Colors, FlankMap, MapData, Scale
 from ui.charts.parts import pen
 from ui.charts.records import Table
@@ -69,13 +68,7 @@ class MapChart(QWidget):
     @property
     def paint(self) -> Paint:
         """A function that draws the maps as they are into any painter."""
-
-        def draw(painter: QPainter, area: QRectF) -> None:
-            painter.fillRect(area, chart_color("surface"))
-            self._view.scene().prepareForPaint()
-            self._view.render(painter, area, self._view.viewport().rect(), Qt.AspectRatioMode.IgnoreAspectRatio)
-
-        return draw
+        return scene_paint(self._view, lambda: chart_color("surface"))
 
     @property
     def table(self) -> Table:
