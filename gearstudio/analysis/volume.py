@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.optimize import brentq
 
+from gearstudio.theory.chamfer import EndChamfer, end_point
 from gearstudio.theory.cones import MemberGeometry
 from gearstudio.theory.involute import polar_angle, roll_arc
 from gearstudio.theory.profile import Segment, ToothProfile, tooth_profile
@@ -16,7 +19,7 @@ Floats = NDArray[np.float64]
 _GAUSS = 40
 
 
-def gear_volume(member: MemberGeometry, outline: Floats) -> float:
+def gear_volume(member: MemberGeometry, outline: Floats, chamfers: Sequence[EndChamfer] = ()) -> float:
     """Volume of a member with its body [mm^3].
 
     Parameters
@@ -24,39 +27,55 @@ def gear_volume(member: MemberGeometry, outline: Floats) -> float:
     member : MemberGeometry
     outline : ndarray, shape (n, 2)
         (radius, height) of the body from back cone to front cone [mm].
+    chamfers : sequence of EndChamfer
 
     Notes
     -----
     A tooth is ``2 w(delta)`` wide in azimuth on every sphere, so its volume is the integral of
     ``2 w sin(delta) (rho_2^3 - rho_1^3)/3`` over the polar angle; below the roots the gear is turned.
     """
-    return member.teeth * _tooth_volume(tooth_profile(member)) + _body_volume(member, outline)
+    return member.teeth * _tooth_volume(tooth_profile(member), chamfers) + _body_volume(member, outline)
 
 
-def _tooth_volume(profile: ToothProfile) -> float:
-    """The metal of one pitch above the root cone."""
-    member, fillet = profile.member, profile.fillet
+def _tooth_volume(profile: ToothProfile, chamfers: Sequence[EndChamfer]) -> float:
+    """The metal of one pitch above the root cone, between the polar angles at which its ends change."""
+    member = profile.member
+    corners = [float(member.limit_angle(member.tip_limit, rho_u)) for rho_u in _ends(member)]
+    corners += [float(np.arctan2(*point)) for chamfer in chamfers for point in (chamfer.face, chamfer.foot)]
     total = 0.0
     for name in profile.segments:
         if name == "fillet" or name == "meridian":
-            total += _below_flank(profile, name)
+            breaks = [0.0, *_breaks_below_flank(profile, name, corners), 1.0]
+            total += sum(_below_flank(profile, name, chamfers, *span) for span in pairwise(breaks))
         elif name == "flank":
-            corners = [float(member.limit_angle(member.tip_limit, rho_u)) for rho_u in _ends(member)]
-            low, *rest = [fillet.foot_arc, *sorted(float(roll_arc(corner, member.base_angle)) for corner in corners)]
-            for first, last in pairwise([low, *rest]):
-                total += _flank_part(profile, first, last)
+            foot = profile.fillet.foot_arc
+            arcs = [float(roll_arc(corner, member.base_angle)) for corner in corners if corner > member.base_angle]
+            breaks = [foot, *sorted(arc for arc in arcs if arc > foot)]
+            total += sum(_flank_part(profile, chamfers, *span) for span in pairwise(breaks))
     return total
 
 
-def _below_flank(profile: ToothProfile, name: Segment) -> float:
-    s, weights = _nodes(0.0, 1.0)
+def _breaks_below_flank(profile: ToothProfile, name: Segment, corners: Sequence[float]) -> list[float]:
+    """Where a segment, over which the polar angle grows from 0 to 1, passes the corners."""
+
+    def above(s: float, corner: float) -> float:
+        return float(profile.angles(name, s)[0]) - corner
+
+    inside = [corner for corner in sorted(corners) if above(0.0, corner) < 0 < above(1.0, corner)]
+    return [float(brentq(above, 0.0, 1.0, args=(corner,), xtol=1e-14)) for corner in inside]
+
+
+def _below_flank(
+    profile: ToothProfile, name: Segment, chamfers: Sequence[EndChamfer], first: float, last: float
+) -> float:
+    s, weights = _nodes(first, last)
     step = 1e-5
     delta, phi = profile.angles(name, s)
     slope = (profile.angles(name, s + step)[0] - profile.angles(name, s - step)[0]) / (2 * step)
-    return float(np.sum(weights * slope * 2 * phi * np.sin(delta) * _shell(profile.member, delta)))
+    return float(np.sum(weights * slope * 2 * phi * np.sin(delta) * _shell(profile.member, delta, chamfers)))
 
 
-def _flank_part(profile: ToothProfile, first: float, last: float) -> float:
+def _flank_part(profile: ToothProfile, chamfers: Sequence[EndChamfer], first: float, last: float) -> float:
     """Over psi, in which nothing is singular on the base cone: sin(delta) d(delta) = cos(delta_b) sin(psi) d(psi)."""
     member = profile.member
     if last <= first:
@@ -66,15 +85,15 @@ def _flank_part(profile: ToothProfile, first: float, last: float) -> float:
     share = (psi - profile.fillet.foot_arc) / (_whole(profile) - profile.fillet.foot_arc)
     _, phi = profile.angles("flank", share)
     measure = np.cos(member.base_angle) * np.sin(psi)
-    return float(np.sum(weights * measure * 2 * phi * _shell(member, delta)))
+    return float(np.sum(weights * measure * 2 * phi * _shell(member, delta, chamfers)))
 
 
 def _whole(profile: ToothProfile) -> float:
     return float(roll_arc(profile.member.tip_angle, profile.member.base_angle))
 
 
-def _shell(member: MemberGeometry, delta: Floats) -> Floats:
-    """Integral of rho^2 over the metal at polar angles, between the tooth's ends and below its tip."""
+def _shell(member: MemberGeometry, delta: Floats, chamfers: Sequence[EndChamfer]) -> Floats:
+    """Integral of rho^2 over the metal at polar angles, between the tooth's ends and below its tip and chamfers."""
     low, high = (member.cone_distance(rho_u, delta) for rho_u in _ends(member))
     tip = member.tip_limit
     if tip.offset != 0:
@@ -85,12 +104,15 @@ def _shell(member: MemberGeometry, delta: Floats) -> Floats:
             high = np.where(above, np.minimum(high, bound), high)
         else:
             low = np.where(above, np.maximum(low, bound), high)
+    for chamfer in chamfers:
+        bound, is_upper = chamfer.bound(delta)
+        low, high = (low, np.minimum(high, bound)) if is_upper else (np.maximum(low, bound), high)
     return np.asarray(np.maximum(high**3 - low**3, 0.0) / 3)
 
 
 def _body_volume(member: MemberGeometry, outline: Floats) -> float:
     """pi times the integral of r^2 dz round the outline below the root cone."""
-    roots = [_root_point(member, rho_u) for rho_u in reversed(_ends(member))]
+    roots = [end_point(member, member.root_limit, v) for v in (1.0, 0.0)]
     sides = [_revolved(a, b) for a, b in pairwise(outline)]
     sides.append(_revolved(roots[1], roots[0]))
     round_ends = member.ends == "sphere"
@@ -103,12 +125,6 @@ def _revolved(a: Floats, b: Floats, on_sphere: bool = False) -> float:
         square = float(a @ a)
         return square * float(b[1] - a[1]) - float(b[1] ** 3 - a[1] ** 3) / 3
     return float((b[1] - a[1]) * (a[0] ** 2 + a[0] * b[0] + b[0] ** 2) / 3)
-
-
-def _root_point(member: MemberGeometry, rho_u: float) -> Floats:
-    delta = member.limit_angle(member.root_limit, rho_u)
-    rho = member.cone_distance(rho_u, delta)
-    return np.array([float(rho * np.sin(delta)), float(rho * np.cos(delta))])
 
 
 def _ends(member: MemberGeometry) -> tuple[float, float]:

@@ -4,25 +4,45 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
 from OCP.Geom import Geom_Curve, Geom_Surface
-from OCP.Geom2d import Geom2d_BSplineCurve, Geom2d_Curve, Geom2d_Line
+from OCP.Geom2d import Geom2d_Line
 from OCP.gp import gp_Ax1, gp_Dir, gp_Dir2d, gp_Pnt, gp_Pnt2d, gp_Trsf
 from OCP.TopoDS import TopoDS_Edge, TopoDS_Face, TopoDS_Vertex
-from scipy.interpolate import make_interp_spline
 
-from gearstudio.kernel.convert import knots_and_multiplicities, point_row_2d, to_curve, to_surface
+from gearstudio.kernel.convert import to_curve, to_surface
+from gearstudio.kernel.ends import ChamferPitch, EndPiece, chamfer_pitch, cut_pieces, end_pieces, nodes_of
 from gearstudio.kernel.maker import Maker, Point
-from gearstudio.kernel.revolved import TURN, Revolved
-from gearstudio.nurbs import NurbsSurface, basis_matrix
+from gearstudio.kernel.revolved import TURN
+from gearstudio.nurbs import NurbsSurface
+from gearstudio.theory.chamfer import EndChamfer
 
 Floats = NDArray[np.float64]
 
-_TRACE_DEGREE = 5
-_TRACE_NODES_A_SPAN = (6, 12, 24)
-_TRACE_SHARE = 1e-8
+
+@dataclass(frozen=True)
+class PitchEnd:
+    """The edges of one pitch at the toe or heel, in the order of azimuth, and the chamfer below some of them.
+
+    ``places`` tells where along each seam the end is met.
+    """
+
+    pieces: tuple[EndPiece, ...]
+    places: tuple[float, ...]
+    chamfer: ChamferPitch | None
+
+    @staticmethod
+    def of(records: Sequence[NurbsSurface], end: int, chamfer: EndChamfer | None) -> PitchEnd:
+        """The end of faces as for `assembled`."""
+        curves = [to_curve(r.poles[:, -end], r.knots_u, r.degree_u) for r in records]
+        if chamfer is None:
+            return PitchEnd(end_pieces(records, curves, end), (float(end),) * len(records), None)
+        pieces, cuts = cut_pieces(records, curves, chamfer)
+        places = tuple(float(end) if cut is None else float(cut.v(0.0)) for cut in cuts)
+        return PitchEnd(pieces, places, chamfer_pitch(pieces, chamfer))
 
 
 @dataclass(frozen=True)
@@ -33,41 +53,39 @@ class Pitch:
     surfaces: tuple[Geom_Surface, ...]
     seams: tuple[Geom_Curve, ...]
     seam_gaps: tuple[float, ...]
-    ends: tuple[tuple[Geom_Curve, ...], tuple[Geom_Curve, ...]]
+    ends: tuple[PitchEnd, PitchEnd]
 
     @staticmethod
-    def of(records: Sequence[NurbsSurface], step: float) -> Pitch:
+    def of(records: Sequence[NurbsSurface], step: float, chamfers: Sequence[EndChamfer] = ()) -> Pitch:
         """Of faces as for `assembled`, at an angular step between teeth [rad]."""
-        seams = [to_curve(r.poles[0], r.knots_v, r.degree_v) for r in records]
-        ends = [[to_curve(r.poles[:, j], r.knots_u, r.degree_u) for r in records] for j in (0, -1)]
+        at = {chamfer.end: chamfer for chamfer in chamfers}
         return Pitch(
             tuple(records),
             tuple(map(to_surface, records)),
-            tuple(seams),
+            tuple(to_curve(r.poles[0], r.knots_v, r.degree_v) for r in records),
             _seam_gaps(records, step),
-            (tuple(ends[0]), tuple(ends[1])),
+            (PitchEnd.of(records, 0, at.get(0)), PitchEnd.of(records, 1, at.get(1))),
         )
 
     def corner(self, j: int, end: int) -> Floats:
         """Where seam j meets the toe or heel."""
-        return np.asarray(self.records[j].poles[0, -end])
-
-    def end_points(self, j: int, end: int, places: Floats) -> Floats:
-        """Points of face j's edge at the toe or heel, shape (n, 3)."""
-        record = self.records[j]
-        return np.asarray(
-            basis_matrix(places, record.knots_u, record.degree_u) @ record.poles[:, -end], dtype=np.float64
-        )
+        return np.asarray(self.records[j].grid([0.0], [self.ends[end].places[j]])[0, 0])
 
 
 @dataclass
 class ToothMade:
-    """One tooth's vertices and edges, each list in the order of the faces, and its faces."""
+    """One tooth's vertices, edges and faces.
+
+    ``corners`` and ``seams`` in the order of the faces, ``ends`` in that of the pieces at either end, ``arcs``
+    along the lower sides of the chamfers, by end.
+    """
 
     corners: tuple[list[TopoDS_Vertex], list[TopoDS_Vertex]]
     seams: list[TopoDS_Edge]
     ends: tuple[list[TopoDS_Edge], list[TopoDS_Edge]] = field(default_factory=lambda: ([], []))
+    arcs: dict[int, TopoDS_Edge] = field(default_factory=dict)
     faces: list[TopoDS_Face] = field(default_factory=list)
+    chamfers: list[TopoDS_Face] = field(default_factory=list)
 
 
 def _seam_gaps(records: Sequence[NurbsSurface], step: float) -> tuple[float, ...]:
@@ -75,7 +93,7 @@ def _seam_gaps(records: Sequence[NurbsSurface], step: float) -> tuple[float, ...
     gaps = []
     for j, record in enumerate(records):
         previous = records[j - 1]
-        places = np.union1d(_trace_nodes(record.knots_v), _trace_nodes(previous.knots_v))
+        places = np.union1d(nodes_of(np.unique(record.knots_v)), nodes_of(np.unique(previous.knots_v)))
         there = previous.grid([1.0], places)[0]
         if j == 0:
             there = there @ _rotation(-step).T
@@ -92,76 +110,88 @@ def make_teeth(maker: Maker, pitch: Pitch, teeth: int) -> list[ToothMade]:
     """Faces of all teeth, each a turned copy that shares its edges with its neighbours."""
     turns = [_turn(i * TURN / teeth) for i in range(teeth)]
     made = [_start_tooth(maker, pitch, turn) for turn in turns]
-    lines = [Geom2d_Line(gp_Pnt2d(*at), gp_Dir2d(*way)) for at, way in _BORDERS]
     for index, (tooth, turn) in enumerate(zip(made, turns, strict=True)):
         following = made[(index + 1) % teeth]
-        for j, surface in enumerate(pitch.surfaces):
-            last = j + 1 == len(pitch.surfaces)
-            nxt, k = (following, 0) if last else (tooth, j + 1)
-            geometry = surface.Transformed(turn)
-            for end in (0, 1):
-                curve = pitch.ends[end][j].Transformed(turn)
-                gap = max(pitch.seam_gaps[j], pitch.seam_gaps[k])
-                tooth.ends[end].append(maker.edge(curve, (0.0, 1.0), tooth.corners[end][j], nxt.corners[end][k], gap))
-            toe, heel, left, right = tooth.ends[0][j], tooth.ends[1][j], tooth.seams[j], nxt.seams[k]
-            for edge, line, gap in zip(
-                (toe, right, heel, left), lines, (0.0, pitch.seam_gaps[k], 0.0, 0.0), strict=True
-            ):
-                maker.lay(edge, line, geometry, gap)
-            uses = [(toe, True), (right, True), (heel, False), (left, False)]
-            tooth.faces.append(maker.face(geometry, [uses], outward=True))
+        for end in (0, 1):
+            _make_end(maker, pitch, tooth, following, end, turn)
+        _make_faces(maker, pitch, tooth, following, turn)
     return made
 
 
-_BORDERS = (((0.0, 0.0), (1.0, 0.0)), ((1.0, 0.0), (0.0, 1.0)), ((0.0, 1.0), (1.0, 0.0)), ((0.0, 0.0), (0.0, 1.0)))
+def _make_end(maker: Maker, pitch: Pitch, tooth: ToothMade, following: ToothMade, end: int, turn: gp_Trsf) -> None:
+    """The edges of a tooth at one end, and its chamfer there."""
+    pieces, chamfer = pitch.ends[end].pieces, pitch.ends[end].chamfer
+    corners = [*tooth.corners[end], following.corners[end][0]]
+    vertices = [corners[0]]
+    for here, there in pairwise(pieces):
+        if there.face > here.face:
+            vertices.append(corners[there.face])
+        else:
+            point = _matrix(turn) @ there.points(np.array(there.span[:1]))[0]
+            vertices.append(maker.vertex(point, chamfer.gap if chamfer else 0.0))
+    vertices.append(corners[-1])
+    for piece, (start, stop) in zip(pieces, pairwise(vertices), strict=True):
+        gap = max(piece.gap, pitch.seam_gaps[piece.face], pitch.seam_gaps[(piece.face + 1) % len(pitch.surfaces)])
+        tooth.ends[end].append(maker.edge(piece.curve.Transformed(turn), piece.span, start, stop, gap))
+    if chamfer is not None:
+        left, right = vertices[chamfer.cuts[0]], vertices[chamfer.cuts[-1] + 1]
+        arc = maker.edge(chamfer.arc.curve.Transformed(turn), chamfer.arc.span, left, right, chamfer.gap)
+        surface = chamfer.surface.Transformed(turn)
+        edges = [tooth.ends[end][k] for k in chamfer.cuts]
+        for edge, (trace, gap) in zip((*edges, arc), chamfer.traces, strict=True):
+            maker.lay(edge, trace, surface, gap)
+        uses = [*((edge, bool(end)) for edge in edges), (arc, not end)]
+        tooth.arcs[end] = arc
+        tooth.chamfers.append(maker.face(surface, [uses if end else uses[::-1]], chamfer.outward))
+
+
+def _make_faces(maker: Maker, pitch: Pitch, tooth: ToothMade, following: ToothMade, turn: gp_Trsf) -> None:
+    for j, surface in enumerate(pitch.surfaces):
+        geometry = surface.Transformed(turn)
+        right, k = (tooth.seams[j + 1], j + 1) if j + 1 < len(pitch.surfaces) else (following.seams[0], 0)
+        toe, heel = (_laid(maker, pitch, tooth, j, end, geometry) for end in (0, 1))
+        maker.lay(right, _RIGHT, geometry, pitch.seam_gaps[k])
+        maker.lay(tooth.seams[j], _LEFT, geometry)
+        uses = [*((edge, True) for edge in toe), (right, True), *((edge, False) for edge in reversed(heel))]
+        tooth.faces.append(maker.face(geometry, [[*uses, (tooth.seams[j], False)]], outward=True))
+
+
+def _laid(maker: Maker, pitch: Pitch, tooth: ToothMade, j: int, end: int, geometry: Geom_Surface) -> list[TopoDS_Edge]:
+    """The edges of face j at an end, laid on it."""
+    edges = []
+    for piece, edge in zip(pitch.ends[end].pieces, tooth.ends[end], strict=True):
+        if piece.face == j:
+            maker.lay(edge, piece.trace, geometry, piece.gap)
+            edges.append(edge)
+    return edges
+
+
+_LEFT, _RIGHT = (Geom2d_Line(gp_Pnt2d(u, 0.0), gp_Dir2d(0.0, 1.0)) for u in (0.0, 1.0))
 
 
 def _start_tooth(maker: Maker, pitch: Pitch, turn: gp_Trsf) -> ToothMade:
     """Vertices and seams of a tooth."""
-    matrix = np.array([[turn.Value(i, j) for j in (1, 2, 3)] for i in (1, 2, 3)])
+    matrix = _matrix(turn)
     count = len(pitch.surfaces)
     toe, heel = (
         [maker.vertex(matrix @ pitch.corner(j, end), pitch.seam_gaps[j]) for j in range(count)] for end in (0, 1)
     )
+    spans = zip(pitch.ends[0].places, pitch.ends[1].places, strict=True)
     seams = [
-        maker.edge(pitch.seams[j].Transformed(turn), (0.0, 1.0), toe[j], heel[j], pitch.seam_gaps[j])
-        for j in range(count)
+        maker.edge(pitch.seams[j].Transformed(turn), span, toe[j], heel[j], pitch.seam_gaps[j])
+        for j, span in enumerate(spans)
     ]
     return ToothMade((toe, heel), seams)
+
+
+def _matrix(turn: gp_Trsf) -> Floats:
+    return np.array([[turn.Value(i, j) for j in (1, 2, 3)] for i in (1, 2, 3)])
 
 
 def _turn(angle: float) -> gp_Trsf:
     turn = gp_Trsf()
     turn.SetRotation(gp_Ax1(gp_Pnt(0.0, 0.0, 0.0), gp_Dir(0.0, 0.0, 1.0)), angle)
     return turn
-
-
-def end_trace(pitch: Pitch, revolved: Revolved, j: int, end: int) -> tuple[Geom2d_Curve, float]:
-    """Curve of a profile edge on an end face, and how far from the edge it runs [mm]."""
-    corner = pitch.corner(0, end)
-
-    def on_surface(points: Floats) -> Floats:
-        return revolved.parameters(np.vstack([corner, points]))[1:]
-
-    knots = pitch.records[j].knots_u
-    for nodes_a_span in _TRACE_NODES_A_SPAN:
-        nodes = _trace_nodes(knots, nodes_a_span)
-        spline = make_interp_spline(nodes, on_surface(pitch.end_points(j, end, nodes)), k=_TRACE_DEGREE)
-        trace = Geom2d_BSplineCurve(point_row_2d(spline.c), *knots_and_multiplicities(spline.t), _TRACE_DEGREE)
-        points = pitch.end_points(j, end, np.linspace(0.0, 1.0, 6 * len(nodes) + 1))
-        off = (spline(np.linspace(0.0, 1.0, len(points))) - on_surface(points)) * revolved.scale(points)
-        along = float(np.max(np.hypot(*off.T)))
-        gap = float(np.max(revolved.distance(points) + np.hypot(*off.T)))
-        if along <= _TRACE_SHARE * np.abs(points).max():
-            break
-    return trace, gap
-
-
-def _trace_nodes(knots: Floats, nodes_a_span: int = _TRACE_NODES_A_SPAN[0]) -> Floats:
-    """Several places in every span of the edge's own knots, where it is less smooth."""
-    spans = np.unique(knots)
-    inner = np.linspace(0.0, 1.0, nodes_a_span, endpoint=False)
-    return np.append((spans[:-1, None] + np.diff(spans)[:, None] * inner).ravel(), spans[-1])
 
 
 def meridian_point(point: Floats) -> Point:

@@ -8,17 +8,20 @@ import numpy as np
 from numpy.typing import NDArray
 from OCP.Bnd import Bnd_Box
 from OCP.BRep import BRep_Tool
+from OCP.BRepAdaptor import BRepAdaptor_Curve
 from OCP.BRepBndLib import BRepBndLib
 from OCP.BRepCheck import BRepCheck_Analyzer
 from OCP.BRepGProp import BRepGProp
+from OCP.collections import IndexedDataMap_TopoDS_Shape_List_TopoDS_Shape_TopTools_ShapeMapHasher
 from OCP.GProp import GProp_GProps
 from OCP.TopAbs import TopAbs_ShapeEnum
-from OCP.TopExp import TopExp_Explorer
-from OCP.TopoDS import TopoDS, TopoDS_Shape
+from OCP.TopExp import TopExp, TopExp_Explorer
+from OCP.TopoDS import TopoDS, TopoDS_Edge, TopoDS_Face, TopoDS_Shape
 
 Floats = NDArray[np.float64]
 
 _INTEGRATION_ERROR = 1e-8
+_GAP_SAMPLES = 23
 
 
 @dataclass(frozen=True)
@@ -82,17 +85,42 @@ def is_closed(shape: TopoDS_Shape) -> bool:
     return bool(shells) and all(BRep_Tool.IsClosed_s(shell) for shell in shells)
 
 
+def corners(shape: TopoDS_Shape) -> Floats:
+    """Its vertices [mm], shape (n, 3); each as often as it is used."""
+    points = [BRep_Tool.Pnt_s(TopoDS.Vertex(v)) for v in _parts(shape, TopAbs_ShapeEnum.TopAbs_VERTEX)]
+    return np.array([(p.X(), p.Y(), p.Z()) for p in points])
+
+
 def corner_box(shape: TopoDS_Shape) -> Floats:
     """Least and greatest coordinates of its vertices [mm], shape (2, 3); quick, and the same in every format."""
-    points = [BRep_Tool.Pnt_s(TopoDS.Vertex(v)) for v in _parts(shape, TopAbs_ShapeEnum.TopAbs_VERTEX)]
-    corners = np.array([(p.X(), p.Y(), p.Z()) for p in points])
-    return np.stack([corners.min(axis=0), corners.max(axis=0)])
+    points = corners(shape)
+    return np.stack([points.min(axis=0), points.max(axis=0)])
 
 
 def _volume(shape: TopoDS_Shape) -> GProp_GProps:
     properties = GProp_GProps()
     BRepGProp.VolumeProperties_s(shape, properties, _INTEGRATION_ERROR, False, False)
     return properties
+
+
+def measured_gap(shape: TopoDS_Shape) -> float:
+    """Largest distance between neighbouring faces along the edges that they share [mm]: measured, not promised."""
+    users = IndexedDataMap_TopoDS_Shape_List_TopoDS_Shape_TopTools_ShapeMapHasher()
+    TopExp.MapShapesAndAncestors_s(shape, TopAbs_ShapeEnum.TopAbs_EDGE, TopAbs_ShapeEnum.TopAbs_FACE, users)
+    gap = 0.0
+    for i in range(1, users.Extent() + 1):
+        edge, faces = TopoDS.Edge(users.FindKey(i)), list(users.FindFromIndex(i))
+        if len(faces) == 2 and not faces[0].IsSame(faces[1]):
+            first, second = (_along(edge, TopoDS.Face(face)) for face in faces)
+            gap = max(gap, float(np.linalg.norm(first - second, axis=-1).max()))
+    return gap
+
+
+def _along(edge: TopoDS_Edge, face: TopoDS_Face) -> Floats:
+    """Points of an edge as the face has it."""
+    curve = BRepAdaptor_Curve(edge, face)
+    places = np.linspace(curve.FirstParameter(), curve.LastParameter(), _GAP_SAMPLES).tolist()
+    return np.array([(p.X(), p.Y(), p.Z()) for p in map(curve.Value, places)])
 
 
 def is_valid(shape: TopoDS_Shape) -> bool:

@@ -87,7 +87,15 @@ def seam_edge(
     return edge
 
 
-def turned_solid(points: Floats, sphere: Sequence[bool], seam: float) -> TopoDS_Solid:
+@dataclass(frozen=True)
+class TurnedBody:
+    """A body of revolution, and its face for each side of the outline that does not lie on the axis."""
+
+    solid: TopoDS_Solid
+    faces: dict[int, TopoDS_Face]
+
+
+def turned_solid(points: Floats, sphere: Sequence[bool], seam: float) -> TurnedBody:
     """The body of revolution of a closed outline.
 
     Parameters
@@ -101,7 +109,8 @@ def turned_solid(points: Floats, sphere: Sequence[bool], seam: float) -> TopoDS_
     """
     maker = Maker()
     rings = [Ring.of(maker, (float(r), float(z)), seam) for r, z in points]
-    for here, there, round_ in zip(rings, [*rings[1:], rings[0]], sphere, strict=True):
+    faces = {}
+    for side, (here, there, round_) in enumerate(zip(rings, [*rings[1:], rings[0]], sphere, strict=True)):
         if here.edge is not None or there.edge is not None:
-            turned_face(maker, here, there, round_)
-    return maker.solid()
+            faces[side] = turned_face(maker, here, there, round_)
+    return TurnedBody(maker.solid(), faces)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import replace
 
 import numpy as np
@@ -9,6 +10,7 @@ from numpy.typing import NDArray
 
 from gearstudio.kernel.cutting import CutGear, Face, Report, cut_spaces
 from gearstudio.kernel.shell import closed_tooth
+from gearstudio.kernel.solids import corners
 from gearstudio.kernel.turned import turned_solid
 from gearstudio.methods.base import SAFETY, Target
 from gearstudio.methods.grafts import Angles, blended, edge_of, profile_space, reversed_across
@@ -16,6 +18,8 @@ from gearstudio.methods.space import fitted, space_v
 from gearstudio.methods.tooth import Tooth, graft, profile_flank
 from gearstudio.methods.trimming import trimmed
 from gearstudio.nurbs import NurbsSurface
+from gearstudio.theory.blank import BlankOutline
+from gearstudio.theory.chamfer import end_point
 from gearstudio.theory.cones import ConeLimit, MemberGeometry
 from gearstudio.theory.profile import ToothProfile, tooth_profile
 
@@ -27,15 +31,14 @@ _EDGE_SHARE = 0.1
 _SEAM_CANDIDATES = 181
 
 
-def cut_gear(tooth: Tooth, outline: Floats, target: Target, report: Report) -> CutGear:
+def cut_gear(tooth: Tooth, outline: BlankOutline, target: Target, report: Report) -> CutGear:
     """The gear's solid, cut by Booleans.
 
     Parameters
     ----------
     tooth : Tooth
         Whose flanks are continued beyond tip and ends to make the tooth space.
-    outline : ndarray, shape (n, 2)
-        Of the body, as of `blank_outline`.
+    outline : BlankOutline
     target : Target
     report : callable
         Takes the stage that begins and the fraction done.
@@ -49,30 +52,60 @@ def cut_gear(tooth: Tooth, outline: Floats, target: Target, report: Report) -> C
     report("continuing the flanks", 0.0)
     space = closed_tooth(space_faces(tooth, target), member.ends == "sphere", inside_out=True)
     report("turning the blank", 0.02)
-    blank = turned_solid(*blank_polygon(member, outline), seam_azimuth(tooth.profile))
+    points, sphere = blank_polygon(member, outline)
+    blank = turned_solid(points, sphere, seam_azimuth(tooth.profile))
     return cut_spaces(blank, space, member.teeth, report)
 
 
-def space_names(tooth: Tooth, cut: CutGear) -> tuple[tuple[str, Face], ...]:
+def cut_names(tooth: Tooth, outline: BlankOutline, cut: CutGear) -> tuple[tuple[str, Face], ...]:
+    """Names of all faces, the same as of an assembled gear; a face that the blank's seam divides is named twice."""
+    names = [*_space_names(tooth, cut)]
+    side, *others = sorted(cut.blank)
+    titles = {others[-1]: "tip"}
+    if outline.chamfers:
+        titles |= {side: "heel chamfer", others[-2]: "toe chamfer"}
+    body = [k for k in (side, *others) if k not in titles]
+    for k, title in titles.items():
+        names += [(f"tooth {_tooth_number(tooth.member, face)} {title}", face) for face in cut.blank[k]]
+    for k, title in zip(body, body_titles(len(body)), strict=True):
+        names += [(title, face) for face in cut.blank[k]]
+    return tuple(names)
+
+
+def body_titles(count: int) -> list[str]:
+    """Names of the body's faces, from the heel end round to the toe end."""
+    return ["heel end", *(f"body {i}" for i in range(1, count - 1)), "toe end"]
+
+
+def _tooth_number(member: MemberGeometry, face: Face) -> int:
+    """The tooth, counted from 1 at azimuth 0, on which a face across its tip lies."""
+    x, y, z = corners(face).T
+    in_section = np.arctan2(y, x) - member.lengthwise.azimuth(np.sqrt(x**2 + y**2 + z**2))
+    middle = np.angle(np.exp(1j * in_section).mean())
+    return int(np.round(middle / member.pitch)) % member.teeth + 1
+
+
+def _space_names(tooth: Tooth, cut: CutGear) -> Iterator[tuple[str, Face]]:
     """Names of the faces that the tooth spaces left; space i lies between tooth i and the next, counted from 1."""
     faces = tooth.faces
     order = [face for face in faces if face.side > 0] + [face for face in faces if face.kind == "root"]
     after = [face for face in faces if face.side < 0]
-    names = []
     for number, space in enumerate(cut.spaces, start=1):
         following = number % tooth.member.teeth + 1
         titles = [f"tooth {number} {face.title(tooth.member.hand)}" for face in order]
         titles += [f"tooth {following} {face.title(tooth.member.hand)}" for face in after]
-        names += [(title, made) for title, left in zip(titles, space, strict=False) for made in left]
-    return tuple(names)
+        for title, left in zip(titles, space, strict=False):
+            yield from ((title, made) for made in left)
 
 
-def blank_polygon(member: MemberGeometry, outline: Floats) -> tuple[Floats, list[bool]]:
+def blank_polygon(member: MemberGeometry, outline: BlankOutline) -> tuple[Floats, list[bool]]:
     """Closed outline (radius, height) of the blank with its face cone, and which of its sides are spheres."""
-    tips = [_tip_point(member, v) for v in (1.0, 0.0)]
-    points = np.vstack([tips[0], outline, tips[1]])
+    toe, heel = ([end_point(member, member.tip_limit, v)] for v in (0.0, 1.0))
+    for chamfer in outline.chamfers:
+        (heel if chamfer.heel else toe)[:] = [np.array(chamfer.face), np.array(chamfer.foot)]
+    points = np.vstack([*heel, outline.points, *toe[::-1]])
     sphere = [False] * len(points)
-    sphere[0] = sphere[-2] = member.ends == "sphere"
+    sphere[len(heel) - 1] = sphere[-len(toe) - 1] = member.ends == "sphere"
     return points, sphere
 
 
@@ -150,10 +183,3 @@ def _turned(surface: NurbsSurface, angle: float) -> NurbsSurface:
     c, s = np.cos(angle), np.sin(angle)
     turn = np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
     return replace(surface, poles=surface.poles @ turn.T)
-
-
-def _tip_point(member: MemberGeometry, v: float) -> Floats:
-    rho_u = member.inner_cone_distance + v * member.face_width
-    delta = member.limit_angle(member.tip_limit, rho_u)
-    rho = member.cone_distance(rho_u, delta)
-    return np.array([float(rho * np.sin(delta)), float(rho * np.cos(delta))])

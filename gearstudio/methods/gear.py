@@ -12,7 +12,7 @@ from gearstudio.kernel.cutting import Face, Report, Solid
 from gearstudio.kernel.shell import assembled
 from gearstudio.kernel.solids import check_solid, is_valid
 from gearstudio.methods.base import Target
-from gearstudio.methods.cut import cut_gear, space_names
+from gearstudio.methods.cut import body_titles, cut_gear, cut_names
 from gearstudio.methods.tooth import Tooth, build_tooth
 from gearstudio.results import FaceResult, MassProperties, SolidResult
 from gearstudio.theory.blank import BlankOutline, BlankSizes, blank_outline
@@ -25,8 +25,8 @@ CONSTRUCTIONS = ("assemble", "cut")
 class Gear:
     """A member's solid and what it was made from.
 
-    ``faces`` are those of the teeth by name ("tooth 7 concave", "tooth 7 root", teeth counted from 1 at
-    azimuth 0); ``gap`` is the largest between neighbouring faces of a tooth [mm].
+    ``faces`` are all by name ("tooth 7 concave", "tooth 7 heel chamfer", teeth counted from 1 at azimuth 0;
+    "heel end", "body 1" and on from there, "toe end"); ``gap`` is the largest between neighbouring faces [mm].
     """
 
     member: MemberGeometry
@@ -94,19 +94,22 @@ def build_gear(
     tooth = design_tooth(design, member, method_id, variant)
     if construction == "cut":
         try:
-            cut = cut_gear(tooth, outline.points, target_of(design, geometry), report)
+            cut = cut_gear(tooth, outline, target_of(design, geometry), report)
         except GeometryError as error:
             raise ModellingError(method_id, f"cutting of the {member}", str(error)) from error
-        return Gear(geometry, tooth, outline, cut.solid, space_names(tooth, cut), 0.0)
+        return Gear(geometry, tooth, outline, cut.solid, cut_names(tooth, outline, cut), cut.gap)
     report("joining the faces", 0.5)
     surfaces = [face.surface for face in tooth.faces]
-    shell = assembled(surfaces, geometry.teeth, outline.points, geometry.ends == "sphere")
-    names = tuple(
-        (f"tooth {number} {face.title(geometry.hand)}", made)
-        for number, faces in enumerate(shell.tooth_faces, start=1)
-        for face, made in zip(tooth.faces, faces, strict=True)
-    )
-    return Gear(geometry, tooth, outline, shell.solid, names, shell.tolerance)
+    shell = assembled(surfaces, geometry.teeth, outline.points, geometry.ends == "sphere", outline.chamfers)
+    titles = [*(face.title(geometry.hand) for face in tooth.faces), *(c.title for c in outline.chamfers)]
+    made = zip(shell.tooth_faces, shell.chamfer_faces, strict=True)
+    names = [
+        (f"tooth {number} {title}", face)
+        for number, (faces, chamfers) in enumerate(made, start=1)
+        for title, face in zip(titles, (*faces, *chamfers), strict=True)
+    ]
+    names += zip(body_titles(len(shell.body_faces)), shell.body_faces, strict=True)
+    return Gear(geometry, tooth, outline, shell.solid, tuple(names), shell.tolerance)
 
 
 def solid_result(

@@ -7,12 +7,13 @@ along the axis from the apex; the back face stands at the mounting distance.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from gearstudio.errors import GeometryError
+from gearstudio.theory.chamfer import EndChamfer, chamfer_limits, end_chamfers
 from gearstudio.theory.cones import MemberGeometry
 
 Floats = NDArray[np.float64]
@@ -41,6 +42,8 @@ class BlankSizes:
         Of the disc between hub and rim, from the back face.
     shank_diameter, shank_length : float
         A solid shank behind the back face; 0 for none. It takes the place of the bore.
+    end_chamfer : float
+        Of the edges between tip and ends of the teeth, along either; 0 for none.
     """
 
     bore_diameter: float | None = None
@@ -50,6 +53,7 @@ class BlankSizes:
     web_thickness: float | None = None
     shank_diameter: float = 0.0
     shank_length: float = 0.0
+    end_chamfer: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -62,10 +66,13 @@ class BlankOutline:
         (radius, height) from the back cone to the front cone [mm]; a radius of 0 lies on the axis.
     sizes : BlankSizes
         As used, nothing None.
+    chamfers : tuple of EndChamfer
+        At toe and heel, or none.
     """
 
     points: Floats
     sizes: BlankSizes
+    chamfers: tuple[EndChamfer, ...] = ()
 
 
 class BlankError(GeometryError):
@@ -113,8 +120,16 @@ def blank_outline(member: MemberGeometry, sizes: BlankSizes) -> BlankOutline:
     else:
         profile.append((bore / 2, front))
     profile.append(toe_rim)
-    used = BlankSizes(bore, hub, hub_length, back, web, sizes.shank_diameter if shank else 0.0, sizes.shank_length)
-    return BlankOutline(np.array(profile, dtype=np.float64), used)
+    used = replace(
+        sizes,
+        bore_diameter=bore,
+        hub_diameter=hub,
+        hub_length=hub_length,
+        mounting_distance=back,
+        web_thickness=web,
+        shank_diameter=sizes.shank_diameter if shank else 0.0,
+    )
+    return BlankOutline(np.array(profile, dtype=np.float64), used, _chamfers(member, sizes.end_chamfer))
 
 
 def crown_height(member: MemberGeometry) -> float:
@@ -174,6 +189,10 @@ def _rounded_up(value: float) -> float:
     """The next value of six digits, so that what a message offers does hold."""
     step = 10.0 ** (np.floor(np.log10(abs(value))) - 5)
     return float(np.ceil(value / step) * step)
+
+
+def _rounded_down(value: float) -> float:
+    return -_rounded_up(-value)
 
 
 def _front_cone_at(member: MemberGeometry, root: tuple[float, float], front: float) -> tuple[float, float]:
@@ -249,3 +268,20 @@ def _shank_radius(sizes: BlankSizes, largest: float) -> float:
             f"a shank of {sizes.shank_diameter:.6g} mm is wider than the back face; use at most {2 * largest:.6g} mm",
         )
     return sizes.shank_diameter / 2
+
+
+def _chamfers(member: MemberGeometry, length: float) -> tuple[EndChamfer, ...]:
+    least, most = chamfer_limits(member)
+    if length > _ROUNDING * most:
+        raise BlankError(
+            "end_chamfer",
+            f"a chamfer of {length:.6g} mm leaves no tip between toe and heel or reaches the roots; "
+            f"use at most {_rounded_down(most):.6g} mm",
+        )
+    if 0 < length < least / _ROUNDING:
+        raise BlankError(
+            "end_chamfer",
+            f"a chamfer of {length:.6g} mm is too small to be modelled; use 0 for none, or at least "
+            f"{_rounded_up(least):.6g} mm",
+        )
+    return end_chamfers(member, length)
