@@ -61,6 +61,22 @@ DEFAULTS = {
             "shank_length": 0.0,
         }.items()
     },
+    **{
+        f"modifications.{member}.{flank}.{key}": value
+        for member in ("pinion", "wheel")
+        for flank in ("concave", "convex")
+        for key, value in {
+            "lengthwise_crowning_um": 0.0,
+            "profile_crowning_um": 0.0,
+            "spiral_angle_correction_um": 0.0,
+            "pressure_angle_correction_um": 0.0,
+            "bias_um": 0.0,
+            "tip_relief_um": 0.0,
+            "tip_relief_start": 0.7,
+            "root_relief_um": 0.0,
+            "root_relief_end": 0.3,
+        }.items()
+    },
     "depth.system": "outer_module",
     "methods.tolerance_um": 0.05,
     "methods.point_cloud_degree": 3,
@@ -74,8 +90,9 @@ STATED_LIMITS = {
     "pair.shaft_angle_deg": (30, 150),
     "methods.tolerance_um": (0.001, 100),
 }
-# Fields without effect on the derived geometry: the label, what the methods are asked for, the bodies.
-NOT_IN_INFO = {path for path in DEFAULTS if path.split(".")[0] in ("name", "methods", "blank")}
+# Fields without effect on the derived geometry: the label, what the methods are asked for, the bodies; and the
+# micro-geometry, whose effect on the flanks has tests of its own.
+NOT_IN_INFO = {path for path in DEFAULTS if path.split(".")[0] in ("name", "methods", "blank", "modifications")}
 
 
 def by_path(spec: FieldSpec) -> str:

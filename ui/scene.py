@@ -16,9 +16,10 @@ from numpy.typing import NDArray
 from gearstudio.results import FlankResult, VariantResult
 from gearstudio.theory.cloud import flank_grid
 from gearstudio.theory.cones import MemberGeometry
-from gearstudio.theory.flank import FLANKS, FlankName, InvoluteFlank, involute_flank
+from gearstudio.theory.flank import FLANKS, FlankName, InvoluteFlank
 from gearstudio.theory.involute import base_cone_spiral, generating_line, polar_angle, roll_arc, start_azimuth
 from gearstudio.theory.involute import tangent_plane as plane_axes
+from gearstudio.theory.modified import flank_of
 from ui import layers as look
 from ui.grids import facing, grid_normals, grid_segments, grid_triangles, on_cone, path_segments
 from ui.layers import Ink, Layer, Style
@@ -91,14 +92,14 @@ def result_layers(result: VariantResult) -> tuple[Layer, ...]:
 
 def rolling_layers(member: MemberGeometry, roll: float, options: SceneOptions | None = None) -> tuple[Layer, ...]:
     """Tangent plane, generating line and what it has swept at a roll in [0, 1]."""
-    flank = involute_flank(member, (options or SceneOptions()).flank)
+    flank = flank_of(member, (options or SceneOptions()).flank)
     contact = _contact(flank, roll)
     return (*_tangent_plane(member, contact), *_generating_line(flank, contact))
 
 
 def roll_span_deg(member: MemberGeometry, options: SceneOptions | None = None) -> float:
     """Roll angle [deg] of the plane from the first to the last touch of the flank."""
-    first, last = _contact_span(involute_flank(member, (options or SceneOptions()).flank))
+    first, last = _contact_span(flank_of(member, (options or SceneOptions()).flank))
     return float(np.degrees(abs(last - first)))
 
 
@@ -121,7 +122,7 @@ def _theory(member: MemberGeometry) -> list[Layer]:
     u, v = np.linspace(0, 1, _THEORY_GRID[0])[:, None], np.linspace(0, 1, _THEORY_GRID[1])[None, :]
     made = []
     for name in FLANKS:
-        flank = involute_flank(member, name)
+        flank = flank_of(member, name)
         grid = flank.points(u, v)
         made.append(
             _surface("theory_flank", name, grid, Style(look.MINT, opacity=0.5, gloss=0.3, lift=1), flank.normals(u, v))
@@ -131,7 +132,7 @@ def _theory(member: MemberGeometry) -> list[Layer]:
 
 
 def _cloud(member: MemberGeometry) -> list[Layer]:
-    clouds = [flank_grid(involute_flank(member, name), *_CLOUD) for name in FLANKS]
+    clouds = [flank_grid(flank_of(member, name), *_CLOUD) for name in FLANKS]
     rows, cols = _CLOUD
     one = grid_segments(rows, cols, 1, 1)
     cells = np.concatenate([one + index * rows * cols for index in range(len(clouds))])
@@ -144,7 +145,7 @@ def _cloud(member: MemberGeometry) -> list[Layer]:
 
 def _base_spirals(member: MemberGeometry) -> list[Layer]:
     rho = np.linspace(member.inner_cone_distance, member.outer_cone_distance, 65)
-    paths = [base_cone_spiral(member, involute_flank(member, name).side, rho) for name in FLANKS]
+    paths = [base_cone_spiral(member, flank_of(member, name).side, rho) for name in FLANKS]
     return [_paths("base_spiral", "both", paths, Style(look.PURPLE, width=3.0, lift=4))]
 
 

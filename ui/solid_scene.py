@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from gearstudio.nurbs import NurbsSurface, basis_matrix
 from gearstudio.results import FaceResult, SolidResult
 from gearstudio.theory.cones import MemberGeometry
-from gearstudio.theory.flank import InvoluteFlank
+from gearstudio.theory.modified import flank_on
 from ui.grids import grid_triangles, path_segments, turned
 from ui.meshes import Mesh, copied_cells, copies, joined, stitched, turned_to
 
@@ -167,7 +167,7 @@ def _patch_mesh(patch: _Patch) -> Mesh:
 
 
 def _deviation(member: MemberGeometry, face: FaceResult, points: Floats) -> Floats:
-    return 1e3 * np.asarray(InvoluteFlank(member, face.side).deviation(points)).ravel()
+    return 1e3 * np.asarray(flank_on(member, face.side).deviation(points)).ravel()
 
 
 # ---- ends and body ----------------------------------------------------------------------------------------

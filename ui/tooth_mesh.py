@@ -12,8 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gearstudio.theory.cones import MemberGeometry
-from gearstudio.theory.flank import involute_flank
 from gearstudio.theory.involute import azimuth_from_arc, involute_azimuth, polar_angle
+from gearstudio.theory.modified import flank_of
 from gearstudio.theory.profile import ToothProfile, tooth_profile
 from ui.grids import grid_normals, grid_triangles, on_cone
 from ui.layers import GREY, TOOTH_BARED, TOOTH_WALLS, TOOTH_WHOLE, Layer, Style
@@ -114,7 +114,7 @@ class _Tooth:
 
     def _working_flank(self) -> Angles:
         member = self.member
-        flank = involute_flank(member, "concave")
+        flank = flank_of(member, "concave")
         v = (self.rho_u - self.rho_u[0]) / member.face_width
         psi, _ = flank.coordinates(np.linspace(0, 1, self.samples["flank"])[:, None], v[None, :])
         start = member.half_tooth_azimuth + involute_azimuth(member.pitch_angle, member.base_angle)

@@ -11,7 +11,8 @@ from gearstudio.errors import GeometryError, ModellingError
 from gearstudio.methods import Construction, Target, method
 from gearstudio.results import FlankResult, VariantResult
 from gearstudio.theory.cones import pair_geometry
-from gearstudio.theory.flank import FLANKS, InvoluteFlank, involute_flank
+from gearstudio.theory.flank import FLANKS, Flank
+from gearstudio.theory.modified import flank_of
 
 DEFAULT_SAMPLES = (61, 61)
 
@@ -40,7 +41,7 @@ def build_variant(
         design.methods.tolerance_um, geometry.outer_cone_distance, design.methods.point_cloud_degree
     )
     started = time.perf_counter()
-    flanks = [involute_flank(geometry, name) for name in FLANKS]
+    flanks = [flank_of(geometry, name) for name in FLANKS]
     built = [(flank, _build(flank, method_id, variant, target)) for flank in flanks]
     seconds = time.perf_counter() - started
     results: dict[str, FlankResult] = {
@@ -60,14 +61,14 @@ def build_variant(
     )
 
 
-def _build(flank: InvoluteFlank, method_id: str, variant: Variant, target: Target) -> Construction:
+def _build(flank: Flank, method_id: str, variant: Variant, target: Target) -> Construction:
     try:
         return method(method_id).build(flank, variant, target)
     except GeometryError as error:
         raise ModellingError(method_id, f"{variant} {flank.name} flank", str(error)) from error
 
 
-def _measure(flank: InvoluteFlank, construction: Construction, samples: tuple[int, int]) -> FlankResult:
+def _measure(flank: Flank, construction: Construction, samples: tuple[int, int]) -> FlankResult:
     points, deviation_um = deviation_map(flank, construction.surface, samples)
     return FlankResult(
         flank=flank.name,

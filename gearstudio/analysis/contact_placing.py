@@ -8,8 +8,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from gearstudio.theory.cones import MemberGeometry, PairGeometry
-from gearstudio.theory.flank import FlankName, InvoluteFlank, involute_flank
+from gearstudio.theory.flank import FlankName, InvoluteFlank
 from gearstudio.theory.involute import involute_azimuth, roll_arc
+from gearstudio.theory.modified import flank_of
 
 Floats = NDArray[np.float64]
 
@@ -83,12 +84,12 @@ class FlankMesh:
     @property
     def pinion_flank(self) -> InvoluteFlank:
         """The flank of the pinion; raises GeometryError as `involute_flank`."""
-        return involute_flank(self.pair.pinion, _name(self.pair.pinion, self.side))
+        return flank_of(self.pair.pinion, _name(self.pair.pinion, self.side))
 
     @property
     def wheel_flank(self) -> InvoluteFlank:
         """The flank of the wheel; raises GeometryError as `involute_flank`."""
-        return involute_flank(self.pair.wheel, _name(self.pair.wheel, self.side))
+        return flank_of(self.pair.wheel, _name(self.pair.wheel, self.side))
 
     @property
     def play(self) -> float:

@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from gearstudio.errors import GeometryError
 from gearstudio.nurbs import NurbsSurface, basis_matrix
-from gearstudio.theory.flank import InvoluteFlank
+from gearstudio.theory.flank import Flank
 
 Floats = NDArray[np.float64]
 Derivatives = tuple[Floats, Floats, Floats, Floats, Floats]
@@ -52,17 +52,17 @@ class CurvatureMap:
         )
 
 
-def theory_curvature(flank: InvoluteFlank, u: ArrayLike, v: ArrayLike) -> CurvatureMap:
+def theory_curvature(flank: Flank, u: ArrayLike, v: ArrayLike) -> CurvatureMap:
     """Curvature of the theoretical flank at (u, v), broadcast together; see `theory_curvature_at`."""
     return theory_curvature_at(flank, *flank.coordinates(u, v))
 
 
-def theory_curvature_at(flank: InvoluteFlank, psi: ArrayLike, rho: ArrayLike) -> CurvatureMap:
+def theory_curvature_at(flank: Flank, psi: ArrayLike, rho: ArrayLike) -> CurvatureMap:
     """Curvature of the theoretical flank at natural coordinates.
 
     Parameters
     ----------
-    flank : InvoluteFlank
+    flank : Flank
     psi, rho : array_like
         Arc [rad] and cone distance [mm], broadcast together.
 
@@ -77,25 +77,22 @@ def theory_curvature_at(flank: InvoluteFlank, psi: ArrayLike, rho: ArrayLike) ->
     return _curvature(flank.at(psi, rho), flank.derivatives_at(psi, rho), flank.normals_at(psi, rho))
 
 
-def surface_curvature(surface: NurbsSurface, flank: InvoluteFlank, u: ArrayLike, v: ArrayLike) -> CurvatureMap:
+def surface_curvature(surface: NurbsSurface, flank: Flank, u: ArrayLike, v: ArrayLike) -> CurvatureMap:
     """Curvature of a modelled flank on the tensor grid of two parameter lists (of the surface's own range).
 
     The theoretical flank says which side is outside. It raises GeometryError where the surface is folded.
     """
     points, derivatives = surface_derivatives(surface, u, v)
-    psi, rho = flank_coordinates(flank, points)
+    psi, rho = flank.natural(points)
     return _curvature(points, derivatives, flank.normals_at(psi, rho))
 
 
-def flank_coordinates(flank: InvoluteFlank, points: Floats) -> tuple[Floats, Floats]:
-    """Natural coordinates (psi, rho) of the flank at points on or near it; not below the base cone, (...) each."""
-    rho, delta, _ = flank.locate(points)
-    base = flank.member.base_angle
-    sine = np.sin((delta + base) / 2) * np.sin(np.maximum(delta - base, 0.0) / 2) / np.cos(base)
-    return np.asarray(2 * np.arcsin(np.sqrt(np.clip(sine, 0.0, 1.0)))), rho
+def flank_coordinates(flank: Flank, points: Floats) -> tuple[Floats, Floats]:
+    """Natural coordinates of the flank at points on or near it; not below the base cone, (...) each."""
+    return flank.natural(points)
 
 
-def curvature_difference(surface: NurbsSurface, flank: InvoluteFlank, u: ArrayLike, v: ArrayLike) -> CurvatureMap:
+def curvature_difference(surface: NurbsSurface, flank: Flank, u: ArrayLike, v: ArrayLike) -> CurvatureMap:
     """Curvature of a modelled flank less that of theory at the same places.
 
     Raises
@@ -104,7 +101,7 @@ def curvature_difference(surface: NurbsSurface, flank: InvoluteFlank, u: ArrayLi
         A place lies on the base cone (as `theory_curvature_at`); keep u away from 0 where the flank starts there.
     """
     modelled = surface_curvature(surface, flank, u, v)
-    return modelled.less(theory_curvature_at(flank, *flank_coordinates(flank, modelled.points)))
+    return modelled.less(theory_curvature_at(flank, *flank.natural(modelled.points)))
 
 
 def surface_derivatives(surface: NurbsSurface, u: ArrayLike, v: ArrayLike) -> tuple[Floats, Derivatives]:

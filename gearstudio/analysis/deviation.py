@@ -9,12 +9,12 @@ from numpy.typing import NDArray
 
 from gearstudio.nurbs import NurbsSurface
 from gearstudio.results import Statistics
-from gearstudio.theory.flank import InvoluteFlank
+from gearstudio.theory.flank import Flank
 
 Floats = NDArray[np.float64]
 
 
-def deviation_map(flank: InvoluteFlank, surface: NurbsSurface, samples: tuple[int, int]) -> tuple[Floats, Floats]:
+def deviation_map(flank: Flank, surface: NurbsSurface, samples: tuple[int, int]) -> tuple[Floats, Floats]:
     """Sample a surface over its whole extent, edges included.
 
     Returns

@@ -21,7 +21,8 @@ from gearstudio.analysis.measurement_fit import (
 from gearstudio.errors import GeometryError
 from gearstudio.results import Statistics
 from gearstudio.theory.cones import MemberGeometry, PairGeometry
-from gearstudio.theory.flank import FLANKS, FlankName, InvoluteFlank, involute_flank
+from gearstudio.theory.flank import FLANKS, FlankName, InvoluteFlank
+from gearstudio.theory.modified import flank_of, flank_on
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int_]
@@ -145,7 +146,7 @@ def measure(
 
 
 def _measured(member: MemberGeometry, assigned: Assignment) -> list[tuple[FlankName, InvoluteFlank]]:
-    flanks = [(name, involute_flank(member, name)) for name in FLANKS]
+    flanks = [(name, flank_of(member, name)) for name in FLANKS]
     return [(name, flank) for name, flank in flanks if np.any(assigned.side == flank.side)]
 
 
@@ -187,7 +188,7 @@ def _check_size(pair: PairGeometry, member: MemberGeometry, points: Floats) -> N
                 f"the points look as if they were in {unit}: multiplied by {factor:g} they lie on the "
                 f"{member.name}'s teeth; convert them to mm"
             )
-    rho, delta, _ = InvoluteFlank(member, 1).locate(points)
+    rho, delta, _ = flank_on(member, 1).locate(points)
     angles = np.degrees(np.r_[delta.min(), delta.max(), member.root_angle, member.tip_angle])
     mate = _mate(pair, member)
     hint = f"they fit the {mate.name}" if _share_beside(mate, points) <= _MOST_BESIDE else (

@@ -18,7 +18,8 @@ from gearstudio.analysis.measurement_fit import (
     turned_back,
 )
 from gearstudio.theory.cones import MemberGeometry
-from gearstudio.theory.flank import FLANKS, FlankName, InvoluteFlank, involute_flank
+from gearstudio.theory.flank import FLANKS, FlankName, InvoluteFlank
+from gearstudio.theory.modified import flank_of
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int_]
@@ -128,7 +129,7 @@ def form_errors(
     for _ in range(_ROUNDS):
         forms, turn, shift = _solved(member, pose.undo(points), assigned, sides, fitted)
         pose = Pose(pose.turn - turn, pose.shift - shift)
-    named = {name: involute_flank(member, name).side for name in FLANKS}
+    named = {name: flank_of(member, name).side for name in FLANKS}
     return {
         name: _named(member, forms[sides.index(side) * _FORMS :][:_FORMS] * 1e3)
         for name, side in named.items()

@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 from gearstudio.analysis.measurement_fit import places
 from gearstudio.errors import GeometryError
 from gearstudio.theory.cones import MemberGeometry, PairGeometry
-from gearstudio.theory.flank import InvoluteFlank
 from gearstudio.theory.involute import roll_arc
+from gearstudio.theory.modified import flank_on
 
 Floats = NDArray[np.float64]
 
@@ -116,7 +116,7 @@ def _alike(member: MemberGeometry, face: Sampled, shift: float) -> tuple[Floats,
 
 def _cosines(member: MemberGeometry, side: int, face: Sampled, shift: float) -> Floats:
     """Cosine between each normal and the flank's at this place, wherever about the axis it is; 0 beside the flanks."""
-    flank, points = InvoluteFlank(member, side), face.points - np.array([0.0, 0.0, shift])
+    flank, points = flank_on(member, side), face.points - np.array([0.0, 0.0, shift])
     with np.errstate(all="ignore"):
         along, across = places(member, points)
         near = (np.abs(along - 0.5) <= 0.5 + _SLACK) & (across >= 0) & (across <= 1 + _SLACK)

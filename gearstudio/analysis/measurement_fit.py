@@ -12,6 +12,7 @@ from gearstudio.errors import GeometryError
 from gearstudio.theory.cones import MemberGeometry
 from gearstudio.theory.flank import InvoluteFlank
 from gearstudio.theory.involute import roll_arc
+from gearstudio.theory.modified import flank_on
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int_]
@@ -69,16 +70,14 @@ def azimuth_lever(flank: InvoluteFlank, points: Floats) -> tuple[Floats, Floats]
     m = flank.member
     rho, delta, phi = flank.locate(points)
     above = np.clip(delta, m.base_angle, np.pi - m.base_angle)
-    profile = (np.sin(above) / np.sin(m.base_angle)) ** 2
-    spiral = (np.sin(delta) * rho * m.lengthwise.azimuth_slope(rho)) ** 2
-    return phi - flank.azimuth(rho, above), rho * np.sin(delta) / np.sqrt(profile + spiral)
+    return phi - flank.azimuth(rho, above), flank.lever(rho, delta)
 
 
 def assign(member: MemberGeometry, points: Floats, facing: Ints | None = None) -> Assignment:
     """Tooth and flank of points in the gear's frame: the nearest, or the nearest of the side that they face."""
     sides, distances, teeth = (1, -1), [], []
     for side in sides:
-        angle, lever = azimuth_lever(InvoluteFlank(member, side), points)
+        angle, lever = azimuth_lever(flank_on(member, side), points)
         tooth = np.rint(angle / member.pitch)
         distance = np.abs(angle - tooth * member.pitch) * lever
         if facing is not None:
@@ -99,7 +98,7 @@ def deviations(member: MemberGeometry, points: Floats, assigned: Assignment) -> 
         for one in (1, -1):
             chosen = np.flatnonzero(side == one)
             if chosen.size:
-                error[start + chosen] = InvoluteFlank(member, one).deviation(at_zero[chosen])
+                error[start + chosen] = flank_on(member, one).deviation(at_zero[chosen])
     return error
 
 
@@ -109,7 +108,7 @@ def normals_at(member: MemberGeometry, points: Floats, assigned: Assignment) -> 
     normals = np.empty_like(points)
     for side in (1, -1):
         chosen = assigned.side == side
-        flank = InvoluteFlank(member, side)
+        flank = flank_on(member, side)
         rho, delta, _ = flank.locate(at_zero[chosen])
         psi = roll_arc(np.clip(delta, member.base_angle, np.pi - member.base_angle), member.base_angle)
         normals[chosen] = flank.normals_at(psi, rho)
@@ -124,7 +123,7 @@ def rigid_columns(points: Floats, normals: Floats) -> Floats:
 
 def places(member: MemberGeometry, points: Floats) -> tuple[Floats, Floats]:
     """Place along the face (0 toe, 1 heel) and along the profile (0 root, 1 tip, by polar angle), (n,) each."""
-    flank = InvoluteFlank(member, 1)
+    flank = flank_on(member, 1)
     rho, delta, _ = flank.locate(points)
     face = (member.end_distance(rho, delta) - member.inner_cone_distance) / member.face_width
     low, high = flank.limits(face)
@@ -220,7 +219,7 @@ def _coarse(
     best, pose, sign = np.inf, Pose(), 1
     for shift in _COARSE_SHIFTS * member.module if free[1] else np.zeros(1):
         own = Pose(0.0, float(shift)).undo(some)
-        found = [azimuth_lever(InvoluteFlank(member, side), own) for side in (1, -1)]
+        found = [azimuth_lever(flank_on(member, side), own) for side in (1, -1)]
         distance = np.stack([_to_tooth(member, angle - turns[:, None]) * lever for angle, lever in found])
         for orientation in (1,) if seen is None else (1, -1):
             near = distance.min(axis=0) if seen is None else np.where(orientation * seen > 0, *distance)

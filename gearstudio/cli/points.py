@@ -8,12 +8,12 @@ from gearstudio.cli.output import write_output
 from gearstudio.exchange.points import point_cloud, points_text
 from gearstudio.project import open_design
 from gearstudio.theory.cones import pair_geometry
-from gearstudio.theory.flank import involute_flank
+from gearstudio.theory.modified import flank_of
 
 
 def run(args: argparse.Namespace) -> int:
     """Carry the command out; the exit status."""
     member = pair_geometry(open_design(args.design)).member(args.member)
-    cloud = point_cloud(involute_flank(member, args.flank), args.rows, args.cols, args.spacing)
+    cloud = point_cloud(flank_of(member, args.flank), args.rows, args.cols, args.spacing)
     write_output(args.out, points_text(cloud, args.format))
     return 0

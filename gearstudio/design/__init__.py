@@ -2,6 +2,7 @@
 
 from gearstudio.design.fields import FieldSpec
 from gearstudio.design.model import (
+    FOLDED_GROUPS,
     FORMAT,
     RESERVED_KEYS,
     Design,
@@ -11,12 +12,15 @@ from gearstudio.design.model import (
     field_value,
     with_field,
 )
+from gearstudio.design.modifications import FlankModification
 
 __all__ = [
+    "FOLDED_GROUPS",
     "FORMAT",
     "RESERVED_KEYS",
     "Design",
     "FieldSpec",
+    "FlankModification",
     "all_field_specs",
     "design_mapping",
     "field_specs",

@@ -5,12 +5,18 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, Literal, get_args
 
-from pydantic import Field
+from pydantic import BaseModel, ConfigDict, Field
 from pydantic.fields import FieldInfo
 
 Kind = Literal["int", "float", "choice", "text"]
 _KINDS: dict[Any, Kind] = {int: "int", float: "float", str: "text"}
 _LIMITS = ("gt", "ge", "le", "min_length", "max_length")
+
+
+class Part(BaseModel):
+    """A table of the design file: frozen, and strict about types."""
+
+    model_config = ConfigDict(frozen=True, strict=True, extra="forbid", allow_inf_nan=False, validate_default=True)
 
 
 @dataclass(frozen=True)

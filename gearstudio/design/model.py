@@ -10,18 +10,13 @@ from collections.abc import Iterator
 from functools import cache
 from typing import Any, Literal
 
-from pydantic import BaseModel, ConfigDict, Field, field_validator
+from pydantic import BaseModel, Field, field_validator
 
-from gearstudio.design.fields import FieldSpec, Words, number, specify, text, word
+from gearstudio.design.fields import FieldSpec, Part, Words, number, specify, text, word
+from gearstudio.design.modifications import Modifications
 
 FORMAT = 1
 Hand = Literal["left", "right"]
-
-
-class Part(BaseModel):
-    """A table of the design file: frozen, and strict about types."""
-
-    model_config = ConfigDict(frozen=True, strict=True, extra="forbid", allow_inf_nan=False, validate_default=True)
 
 
 class Pair(Part):
@@ -233,13 +228,6 @@ class BlankMember(Part):
         0.0,
     )
     shank_length: float = _body("Shank length", "Length of the shank behind the back face, 0 for none.", "L_s", 0.0)
-    end_chamfer: float = _body(
-        "End chamfer",
-        "Of the edges between tip and ends of the teeth, turned over all teeth at toe and heel; its legs along the "
-        "face cone and along the end, 0 for none.",
-        "c",
-        0.0,
-    )
 
 
 class Blank(Part):
@@ -289,6 +277,7 @@ class Design(Part):
     pair: Pair = Field(default_factory=Pair)
     lengthwise: LengthwiseCurve = Field(default_factory=LengthwiseCurve)
     tooth: Tooth = Field(default_factory=Tooth)
+    modifications: Modifications = Field(default_factory=Modifications)
     blank: Blank = Field(default_factory=Blank)
     depth: Depth = Field(default_factory=Depth)
     methods: MethodSettings = Field(default_factory=MethodSettings)
@@ -306,11 +295,17 @@ GROUPS = {
     "pair": "Pair",
     "lengthwise": "Lengthwise curve",
     "tooth": "Tooth",
+    "modifications.pinion.concave": "Micro-geometry: pinion, concave",
+    "modifications.pinion.convex": "Micro-geometry: pinion, convex",
+    "modifications.wheel.concave": "Micro-geometry: wheel, concave",
+    "modifications.wheel.convex": "Micro-geometry: wheel, convex",
     "blank.pinion": "Pinion blank",
     "blank.wheel": "Wheel blank",
     "depth": "Depth",
     "methods": "Methods",
 }
+# Groups of the form that are folded until they are asked for: many fields that most designs leave alone.
+FOLDED_GROUPS = frozenset(title for path, title in GROUPS.items() if path.startswith("modifications."))
 # Keys that hypoid pairs and ISO 23509 depths will bring: known, so that a file is not told of a spelling mistake.
 RESERVED_KEYS = {
     f"depth.{key}": "the depth systems of ISO 23509 are not available yet"

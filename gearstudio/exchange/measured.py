@@ -16,7 +16,8 @@ from gearstudio.errors import FileError
 from gearstudio.exchange.points import point_cloud
 from gearstudio.files import named_errors
 from gearstudio.theory.cones import MemberGeometry
-from gearstudio.theory.flank import FLANKS, involute_flank
+from gearstudio.theory.flank import FLANKS
+from gearstudio.theory.modified import flank_of
 
 Floats = NDArray[np.float64]
 
@@ -25,7 +26,7 @@ MODEL_SUFFIXES = (".step", ".stp")
 _AXES = ("x", "y", "z")
 _NORMALS = ("nx", "ny", "nz")
 _ALIASES = {"i": "nx", "j": "ny", "k": "nz", "n_x": "nx", "n_y": "ny", "n_z": "nz"}
-_LINES_AT_ONCE = 200_000
+_LINES_AT_ONCE = 5_000
 _NO_DATA = re.compile(r"\s*($|#|!|//|open\b|begin\b|end\b)", re.IGNORECASE)
 _COLUMN = re.compile(r"\s*\"?\s*([a-z_]+)\s*(?:[\[(]\s*([^\])]*?)\s*[\])])?\s*\"?\s*$", re.IGNORECASE)
 _OTHER_UNITS = {"in": "inches", "inch": "inches", "inches": "inches", '"': "inches", "m": "metres", "cm": "centimetres"}
@@ -92,7 +93,7 @@ def nominal_grid_text(member: MemberGeometry, rows: int, cols: int) -> str:
     """
     lines = [NOMINAL_HEADER]
     for name in FLANKS:
-        cloud = point_cloud(involute_flank(member, name), rows, cols, "uniform")
+        cloud = point_cloud(flank_of(member, name), rows, cols, "uniform")
         table = np.concatenate([cloud.points, cloud.normals], axis=-1)
         for (row, column), values in zip(np.ndindex(rows, cols), table.reshape(-1, 6), strict=True):
             numbers = ",".join(f"{value:.17g}" for value in values)

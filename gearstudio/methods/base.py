@@ -13,7 +13,7 @@ from gearstudio.catalogue import MethodInfo, Variant
 from gearstudio.errors import ModellingError
 from gearstudio.nurbs import NurbsSurface
 from gearstudio.results import ConstructionCurve
-from gearstudio.theory.flank import InvoluteFlank
+from gearstudio.theory.flank import Flank
 
 Floats = NDArray[np.float64]
 
@@ -48,11 +48,15 @@ class Target:
 
 @dataclass(frozen=True)
 class Construction:
-    """A flank as a method made it: the surface over [0, 1]², what it was made from, what it took."""
+    """A flank as a method made it: the surface over [0, 1]², what it was made from, what it took.
+
+    ``instead`` is the flank that was modelled where the method cannot follow the one that was asked for.
+    """
 
     surface: NurbsSurface
     curves: tuple[ConstructionCurve, ...] = ()
     settings: Mapping[str, Any] = field(default_factory=dict)
+    instead: Flank | None = None
 
 
 class Method(Protocol):
@@ -63,7 +67,7 @@ class Method(Protocol):
         """What it is called."""
         ...
 
-    def build(self, flank: InvoluteFlank, variant: Variant, target: Target) -> Construction:
+    def build(self, flank: Flank, variant: Variant, target: Target) -> Construction:
         """Model a flank.
 
         Raises
@@ -80,7 +84,7 @@ def between(nodes: Floats) -> Floats:
     return np.asarray((nodes[:-1, None] + gaps[:, None] * np.array([0.25, 0.5, 0.75])).ravel())
 
 
-def node_errors(flank: InvoluteFlank, surface: NurbsSurface, u: Floats, v: Floats) -> tuple[float, float]:
+def node_errors(flank: Flank, surface: NurbsSurface, u: Floats, v: Floats) -> tuple[float, float]:
     """What the nodes of each direction cost, for u and v [mm].
 
     The larger of the deviation and of the distance of the edges from the flank's, taken between the nodes

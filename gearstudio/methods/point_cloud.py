@@ -12,7 +12,7 @@ from gearstudio.catalogue import MethodInfo, Variant
 from gearstudio.kernel.surfaces import interpolated_points, oriented, reconstructed
 from gearstudio.methods.base import SAFETY, Construction, Refinement, Target, node_errors
 from gearstudio.results import ConstructionCurve
-from gearstudio.theory.flank import InvoluteFlank
+from gearstudio.theory.flank import Flank
 
 Floats = NDArray[np.float64]
 
@@ -31,18 +31,18 @@ class PointCloud:
 
     info: MethodInfo = catalogue.POINT_CLOUD
 
-    def build(self, flank: InvoluteFlank, variant: Variant, target: Target) -> Construction:
+    def build(self, flank: Flank, variant: Variant, target: Target) -> Construction:
         """See `Method.build`."""
         return self._published(flank) if variant == "published" else self._optimised(flank, target)
 
-    def _published(self, flank: InvoluteFlank) -> Construction:
+    def _published(self, flank: Flank) -> Construction:
         rows, cols = PUBLISHED_GRID
         points = flank.evenly_divided(cols, rows)
         corners = points[np.ix_([0, -1], [0, -1])]
         surface = oriented(interpolated_points(points), corners)
         return Construction(surface, _cloud(points), {"grid": [cols, rows], "spacing": "even", "parameters": "kernel"})
 
-    def _optimised(self, flank: InvoluteFlank, target: Target) -> Construction:
+    def _optimised(self, flank: Flank, target: Target) -> Construction:
         degree = target.point_cloud_degree
 
         def attempt(counts: tuple[int, ...]) -> tuple[Construction, tuple[float, ...]]:

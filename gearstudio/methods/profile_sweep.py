@@ -12,7 +12,7 @@ from gearstudio.catalogue import MethodInfo, Variant
 from gearstudio.kernel.surfaces import Curve, curve_through, oriented, pipe, skin
 from gearstudio.methods.base import SAFETY, Construction, Refinement, Target, node_errors
 from gearstudio.results import ConstructionCurve
-from gearstudio.theory.flank import InvoluteFlank
+from gearstudio.theory.flank import Flank
 
 Floats = NDArray[np.float64]
 
@@ -38,11 +38,11 @@ class ProfileSweep:
 
     info: MethodInfo = catalogue.PROFILE_SWEEP
 
-    def build(self, flank: InvoluteFlank, variant: Variant, target: Target) -> Construction:
+    def build(self, flank: Flank, variant: Variant, target: Target) -> Construction:
         """See `Method.build`."""
         return self._published(flank) if variant == "published" else self._optimised(flank, target)
 
-    def _published(self, flank: InvoluteFlank) -> Construction:
+    def _published(self, flank: Flank) -> Construction:
         profiles = [_section(flank, v, _PUBLISHED_POINTS) for v in (1.0, 0.0)]
         places = np.linspace(0.0, 1.0, _SPINE_POINTS)
         trace = flank.trace(1.0 - places)
@@ -52,7 +52,7 @@ class ProfileSweep:
         curves = (*_drawn_sections(flank, np.array([0.0, 1.0])), ConstructionCurve("guide", trace))
         return Construction(surface, curves, {"sections": 2, "guides": 1, "sweep": "pipe along the tooth trace"})
 
-    def _optimised(self, flank: InvoluteFlank, target: Target) -> Construction:
+    def _optimised(self, flank: Flank, target: Target) -> Construction:
         def attempt(counts: tuple[int, ...]) -> tuple[Construction, tuple[float, ...]]:
             points, sections = counts
             shares = np.linspace(0.0, 1.0, sections)
@@ -68,16 +68,16 @@ class ProfileSweep:
         return Refinement(self.info.id, goal, (_CURVE_DEGREE + 1, 7)).run((_FIRST_POINTS, _FIRST_SECTIONS), attempt)
 
 
-def _section(flank: InvoluteFlank, v: float, points: int) -> Curve:
+def _section(flank: Flank, v: float, points: int) -> Curve:
     u = np.linspace(0.0, 1.0, points)
     return curve_through(u, flank.points(u, v), _CURVE_DEGREE, flank.starts_on_base)
 
 
-def _drawn_sections(flank: InvoluteFlank, v: Floats) -> tuple[ConstructionCurve, ...]:
+def _drawn_sections(flank: Flank, v: Floats) -> tuple[ConstructionCurve, ...]:
     u = np.linspace(0.0, 1.0, _DRAWN_POINTS)
     return tuple(ConstructionCurve("section", flank.points(u, place)) for place in v)
 
 
-def _drawn_guides(flank: InvoluteFlank) -> tuple[ConstructionCurve, ...]:
+def _drawn_guides(flank: Flank) -> tuple[ConstructionCurve, ...]:
     v = np.linspace(0.0, 1.0, _DRAWN_POINTS)
     return tuple(ConstructionCurve("guide", flank.points(place, v)) for place in _GUIDE_PLACES)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,12 +14,14 @@ from gearstudio.kernel.surfaces import curve_through, reconstructed, skin
 from gearstudio.methods.base import SAFETY, Construction, Refinement, Target, between, node_errors
 from gearstudio.nurbs import NurbsSurface
 from gearstudio.results import ConstructionCurve
-from gearstudio.theory.flank import InvoluteFlank
+from gearstudio.theory.flank import Flank, InvoluteFlank
 from gearstudio.theory.involute import generating_line, tangent_plane
 
 Floats = NDArray[np.float64]
 
 PUBLISHED_POSITIONS = 5
+WITHOUT_MODIFICATIONS = {"modifications": "left out"}
+"""Setting of a result whose flank has micro-geometry that the line cannot sweep."""
 _CURVE_DEGREE = 5
 _PUBLISHED_POINTS = 15
 _PUBLISHED_CUT = (21, 21)
@@ -73,12 +75,22 @@ class RotatingLine:
 
     The cut is a reparametrisation: every point of the result lies on the rolled patch, its four natural
     edges are the limits of the flank, and no part of the patch beyond the cuspidal edge remains.
+
+    A rigid line sweeps no flank with micro-geometry. The nearest that it does sweep is modelled, the flank without
+    it; ``settings`` say so, and the deviation shows by how much the flank that is wanted is missed.
     """
 
     info: MethodInfo = catalogue.ROTATING_LINE
 
-    def build(self, flank: InvoluteFlank, variant: Variant, target: Target) -> Construction:
+    def build(self, flank: Flank, variant: Variant, target: Target) -> Construction:
         """See `Method.build`."""
+        swept = flank.swept
+        built = self._swept(swept, variant, target)
+        if swept is flank:
+            return built
+        return replace(built, settings={**built.settings, **WITHOUT_MODIFICATIONS}, instead=swept)
+
+    def _swept(self, flank: InvoluteFlank, variant: Variant, target: Target) -> Construction:
         if variant == "published":
             patch, line = _roll(flank, _PUBLISHED_POINTS, PUBLISHED_POSITIONS, _PUBLISHED_SKIN)
             u, v = (np.linspace(0.0, 1.0, n) for n in _PUBLISHED_CUT)

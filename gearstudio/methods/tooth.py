@@ -30,7 +30,8 @@ from gearstudio.methods.space import Points, Space, fitted, space_v
 from gearstudio.methods.trimming import trimmed
 from gearstudio.nurbs import NurbsSurface
 from gearstudio.theory.cones import ConeLimit, MemberGeometry
-from gearstudio.theory.flank import InvoluteFlank
+from gearstudio.theory.flank import Flank
+from gearstudio.theory.modified import flank_on
 from gearstudio.theory.profile import Segment, ToothProfile, tooth_profile
 
 Floats = NDArray[np.float64]
@@ -90,11 +91,11 @@ def graft(profile: ToothProfile, flanks: dict[int, NurbsSurface], goal: float) -
     return _Grafting(profile, flanks, goal).faces()
 
 
-def profile_flank(profile: ToothProfile, side: int) -> InvoluteFlank:
+def profile_flank(profile: ToothProfile, side: int) -> Flank:
     """The flank on one side, from the foot of the fillet, or the base cone, to the tip."""
     member = profile.member
     foot = ConeLimit(profile.fillet.foot_angle, 0.0, member.pitch_angle)
-    return InvoluteFlank(member, side, member.base_limit if profile.fillet.on_meridian else foot)
+    return flank_on(member, side, member.base_limit if profile.fillet.on_meridian else foot)
 
 
 def _check_foot(profile: ToothProfile, surface: NurbsSurface) -> None:

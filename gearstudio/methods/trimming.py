@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from gearstudio.errors import GeometryError
 from gearstudio.methods.space import Space, fitted, space_u, space_v
 from gearstudio.nurbs import NurbsSurface
-from gearstudio.theory.flank import InvoluteFlank
+from gearstudio.theory.flank import Flank
 
 Floats = NDArray[np.float64]
 
@@ -24,7 +24,7 @@ _CLEAR_OF_THE_CUSP = 5.0
 _FIT_SHARE = 1e-3
 
 
-def trimmed(flank: InvoluteFlank, surface: NurbsSurface, goal: float) -> NurbsSurface:
+def trimmed(flank: Flank, surface: NurbsSurface, goal: float) -> NurbsSurface:
     """The surface, shortened or continued so that its four edges lie on the limits of the flank.
 
     A surface whose edges lie there within the goal [mm] stays as it is. One that starts on the base cone, where
@@ -95,7 +95,7 @@ class _Borders:
 
 @dataclass(frozen=True)
 class _Cut:
-    flank: InvoluteFlank
+    flank: Flank
     surface: NurbsSurface
     moves_foot: bool
 

@@ -13,7 +13,8 @@ from gearstudio.catalogue import METHOD_INFOS, VARIANTS
 from gearstudio.report.content import Content
 from gearstudio.report.style import DIVERGING, SIDES, figure, svg
 from gearstudio.results import FlankResult
-from gearstudio.theory.flank import FLANKS, FlankName, involute_flank
+from gearstudio.theory.flank import FLANKS, FlankName
+from gearstudio.theory.modified import flank_of
 
 Floats = NDArray[np.float64]
 
@@ -25,7 +26,7 @@ _MEASURING_GRID = (5, 9)
 def flat(content: Content, points: Floats) -> tuple[Floats, Floats]:
     """Places of flank points on paper: from the toe [mm] and above the pitch cone [mm], shape (n_u, n_v) each."""
     member = content.pair.member(content.member)
-    rho, delta, _ = involute_flank(member, "concave").locate(points)
+    rho, delta, _ = flank_of(member, "concave").locate(points)
     return rho - member.inner_cone_distance, rho * (delta - member.pitch_angle)
 
 
@@ -48,7 +49,7 @@ def deviation_maps(content: Content, flank: FlankName) -> bytes:
 
 def curvature_maps(content: Content, flank_name: FlankName) -> bytes:
     """Gaussian curvature of theory and of the optimised variants, on one scale [1/mm²]."""
-    flank = involute_flank(content.pair.member(content.member), flank_name)
+    flank = flank_of(content.pair.member(content.member), flank_name)
     u = np.linspace(_FROM_BASE, 1.0, _CURVATURE_GRID[0])
     v = np.linspace(0.0, 1.0, _CURVATURE_GRID[1])
     exact = theory_curvature(flank, u[:, None], v[None, :])
@@ -89,7 +90,7 @@ def topography(content: Content, method: str, variant: str) -> bytes:
 
 
 def _grid(content: Content, name: FlankName, made: FlankResult) -> tuple[Floats, Floats]:
-    flank = involute_flank(content.pair.member(content.member), name)
+    flank = flank_of(content.pair.member(content.member), name)
     return deviation_map(flank, made.surface, _MEASURING_GRID)
 
 

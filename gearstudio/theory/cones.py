@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from gearstudio.design import Design
 from gearstudio.theory.lengthwise import Lengthwise
+from gearstudio.theory.relief import Edge, FlankRelief, ReliefFrame, flank_relief
 
 Floats = NDArray[np.float64]
 
@@ -44,7 +45,10 @@ class ConeLimit:
 
 @dataclass(frozen=True)
 class MemberGeometry:
-    """One member's geometry [mm, rad]; symbols of theory 1."""
+    """One member's geometry [mm, rad]; symbols of theory 1.
+
+    ``reliefs`` is the micro-geometry of the concave and the convex flank, None where there is none.
+    """
 
     name: str
     teeth: int
@@ -64,6 +68,7 @@ class MemberGeometry:
     tip_limit: ConeLimit
     root_limit: ConeLimit
     ends: str
+    reliefs: tuple[FlankRelief | None, FlankRelief | None] = (None, None)
 
     @property
     def tip_angle(self) -> float:
@@ -104,6 +109,14 @@ class MemberGeometry:
     def pitch(self) -> float:
         """Angular pitch 2 pi / z [rad]."""
         return 2 * np.pi / self.teeth
+
+    @property
+    def relief_frame(self) -> ReliefFrame:
+        """From what places on this member's flanks are measured; the lower edge is the one that is higher at R_m."""
+        mean, root, tip = self.mean_cone_distance, self.root_limit, self.tip_limit
+        low = root if root.at_sphere(mean) > self.base_angle else self.base_limit
+        edges = (Edge(limit.angle, limit.offset) for limit in (low, tip))
+        return ReliefFrame(mean, self.face_width / 2, self.pitch_angle, self.ends == "back_cone", *edges)
 
     def limit_angle(self, limit: ConeLimit, rho_u: ArrayLike) -> Floats:
         """Polar angle of a limit at a tooth end, by the kind of ends this member has [rad]."""
@@ -186,7 +199,7 @@ def pair_geometry(design: Design) -> PairGeometry:
         hand = pinion_hand if index == 0 else -pinion_hand
         thickness = (np.pi / 2 + 2 * shifts[index] * np.tan(angles.transverse)) / teeth
         base = angles.base[index]
-        return MemberGeometry(
+        made = MemberGeometry(
             name=("pinion", "wheel")[index],
             teeth=teeth,
             hand=hand,
@@ -208,6 +221,11 @@ def pair_geometry(design: Design) -> PairGeometry:
             root_limit=ConeLimit(roots[index], 0.0, delta),
             ends=tooth.ends,
         )
+        given = design.modifications.pinion if index == 0 else design.modifications.wheel
+        if given.concave.is_none and given.convex.is_none:
+            return made
+        frame = made.relief_frame
+        return replace(made, reliefs=(flank_relief(given.concave, frame), flank_relief(given.convex, frame)))
 
     transverse = angles.transverse
     normal = float(np.arctan(np.tan(transverse) * np.cos(angles.mean_spiral)))

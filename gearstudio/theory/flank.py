@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Literal, Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from gearstudio.errors import GeometryError
 from gearstudio.theory.cones import ConeLimit, MemberGeometry
+from gearstudio.theory.flank_protocol import FLANKS, Flank, FlankName
 from gearstudio.theory.involute import (
     azimuth_from_arc,
     involute_azimuth,
@@ -20,31 +20,12 @@ from gearstudio.theory.involute import (
 )
 
 Floats = NDArray[np.float64]
-FlankName = Literal["concave", "convex"]
-FLANKS: tuple[FlankName, FlankName] = ("concave", "convex")
+__all__ = ["FLANKS", "Flank", "FlankName", "InvoluteFlank", "involute_flank", "quarter"]
 
 _ITERATE_ABOVE = 1e-6
 _FOOT_POINT_STEPS = 8
 _FOOT_POINT_ACCURACY = 1e-11
 _FOOT_POINT_TRUST = 1e-2
-
-
-class Flank(Protocol):
-    """What a flank is to methods, analysis and views, whatever curve it comes from.
-
-    u in [0, 1] runs from the root (or base cone) to the tip, v in [0, 1] from toe to heel; the unit square
-    is the working flank, and the map is analytic a little beyond it.
-    """
-
-    @property
-    def name(self) -> FlankName: ...
-    @property
-    def member(self) -> MemberGeometry: ...
-    def points(self, u: ArrayLike, v: ArrayLike) -> Floats: ...
-    def normals(self, u: ArrayLike, v: ArrayLike) -> Floats: ...
-    def limits(self, v: ArrayLike) -> tuple[Floats, Floats]: ...
-    def deviation(self, points: ArrayLike) -> Floats: ...
-    def edge_deviation(self, points: Floats) -> float: ...
 
 
 @dataclass(frozen=True)
@@ -68,6 +49,11 @@ class InvoluteFlank:
     def name(self) -> FlankName:
         """``concave`` where side equals hand (theory 4)."""
         return "concave" if self.side == self.member.hand else "convex"
+
+    @property
+    def swept(self) -> InvoluteFlank:
+        """The flank that one rigid line sweeps (theory 5.1): this one."""
+        return self
 
     def limits(self, v: ArrayLike) -> tuple[Floats, Floats]:
         """Polar angles of the working flank's lower and upper edge at places v along the face, (...) each [rad]."""
@@ -160,7 +146,7 @@ class InvoluteFlank:
         cos_b = cot_b * sin_b
         unit_psi_psi = cot_b * (cos_psi * normal - self.side * sin_psi * (cos_b / sin_b) * across)
         _, first, second = (x[..., None] for x in self.member.lengthwise.azimuth_derivatives(rho))
-        turned, turned_psi, turned_twice = _quarter(unit), _quarter(unit_psi), _quarter(_quarter(unit))
+        turned, turned_psi, turned_twice = quarter(unit), quarter(unit_psi), quarter(quarter(unit))
         return (
             r * unit_psi,
             unit + r * first * turned,
@@ -182,6 +168,12 @@ class InvoluteFlank:
         x, y, z = np.moveaxis(np.asarray(points, dtype=np.float64), -1, 0)
         radius = np.hypot(x, y)
         return np.hypot(radius, z), np.arctan2(radius, z), np.arctan2(y, x)
+
+    def natural(self, points: ArrayLike) -> tuple[Floats, Floats]:
+        """Natural coordinates (psi, rho) of the flank at points on or near it; not below the base cone, (...) each."""
+        rho, delta, _ = self.locate(points)
+        base = self.member.base_angle
+        return roll_arc(np.clip(delta, base, np.pi - base), base), rho
 
     def deviation(self, points: ArrayLike) -> Floats:
         """Signed normal distance of points from the flank, positive where metal is added.
@@ -259,12 +251,20 @@ class InvoluteFlank:
         psi = roll_arc(np.clip(delta, base, np.pi - base), base)
         along, across, plane = tangent_plane(np.minimum(delta, base), self.contact_azimuth(psi, rho))
         unit = np.cos(psi)[..., None] * along + self.side * np.sin(psi)[..., None] * across
-        lengthwise = unit + (rho * self.member.lengthwise.azimuth_slope(rho))[..., None] * _quarter(unit)
+        lengthwise = unit + (rho * self.member.lengthwise.azimuth_slope(rho))[..., None] * quarter(unit)
         normal = self.side * np.cross(lengthwise, plane)
         return rho[..., None] * unit, normal / np.linalg.norm(normal, axis=-1, keepdims=True)
 
     def _end_distance(self, v: ArrayLike) -> Floats:
         return np.asarray(self.member.inner_cone_distance + np.asarray(v, dtype=np.float64) * self.member.face_width)
+
+    def lever(self, rho: Floats, polar_angle: Floats) -> Floats:
+        """Normal distance per difference in azimuth [mm/rad] (theory 5); as on the base cone below it."""
+        m = self.member
+        above = np.clip(polar_angle, m.base_angle, np.pi - m.base_angle)
+        profile = (np.sin(above) / np.sin(m.base_angle)) ** 2
+        spiral = (np.sin(polar_angle) * rho * m.lengthwise.azimuth_slope(rho)) ** 2
+        return np.asarray(rho * np.sin(polar_angle) / np.sqrt(profile + spiral))
 
     def azimuth(self, rho: ArrayLike, polar_angle: ArrayLike) -> Floats:
         """phi(rho, delta_k) of theory 5 [rad]."""
@@ -275,7 +275,7 @@ class InvoluteFlank:
 
 
 def involute_flank(member: MemberGeometry, name: FlankName) -> InvoluteFlank:
-    """The concave or convex flank of a member's tooth (theory 4: concave is side = hand).
+    """The concave or convex flank of a member's tooth without micro-geometry (theory 4: concave is side = hand).
 
     Raises
     ------
@@ -290,6 +290,6 @@ def involute_flank(member: MemberGeometry, name: FlankName) -> InvoluteFlank:
     return InvoluteFlank(member, member.hand if name == "concave" else -member.hand)
 
 
-def _quarter(vectors: Floats) -> Floats:
+def quarter(vectors: Floats) -> Floats:
     """z x vectors: turned by a quarter about the axis, the axial part dropped."""
     return np.stack([-vectors[..., 1], vectors[..., 0], np.zeros_like(vectors[..., 0])], axis=-1)

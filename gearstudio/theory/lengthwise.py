@@ -116,6 +116,24 @@ class Lengthwise:
         psi, first, second = self.trace(rho)
         return self._turn * psi, self._turn * first, self._turn * second
 
+    def azimuth_third(self, rho: ArrayLike) -> Floats:
+        """theta'''(rho) [rad/mm^3]: by the chain rule from tan(beta)/rho with sin(beta) of the law."""
+        rho = np.asarray(rho, dtype=np.float64)
+        if self.law == "archimedean":
+            return np.zeros_like(rho)
+        if self.law == "logarithmic":
+            return np.asarray(self._turn * 2 * np.tan(self.mean_spiral_angle) / rho**3)
+        within = np.clip(rho, *self.reach)
+        sine = self._arc_sine(within)
+        cosine = np.sqrt((1 - sine) * (1 + sine))
+        sine_1 = 1 / self.cutter_radius - sine / within
+        sine_2 = (sine / within - sine_1) / within
+        tangent = sine / cosine
+        tangent_1 = sine_1 / cosine**3
+        tangent_2 = sine_2 / cosine**3 + 3 * sine_1**2 * sine / cosine**5
+        third = tangent_2 / within - 2 * tangent_1 / within**2 + 2 * tangent / within**3
+        return np.asarray(self._turn * np.where(rho == within, third, 0.0))
+
     def azimuth_slope(self, rho: ArrayLike) -> Floats:
         """theta'(rho) [rad/mm]."""
         return self._turn * self.trace(rho)[1]

@@ -11,7 +11,7 @@ from gearstudio.analysis.contact import contact_analysis
 from gearstudio.analysis.contact_placing import Misalignment
 from gearstudio.analysis.contact_result import ContactResult, Direction, FlankContact, FlankPattern
 from gearstudio.theory.cones import PairGeometry
-from gearstudio.theory.flank import involute_flank
+from gearstudio.theory.modified import flank_of
 from ui.charts.raster import drawn_flat, frame, inside, outline, raster
 from ui.charts.records import Axis, ChartData, Reference, Series, Table
 from ui.formatting import MEMBER_TITLES, significant
@@ -58,7 +58,7 @@ def analyse(pair: PairGeometry, misalignment: Misalignment, thickness_um: float)
 
 def _pattern(pair: PairGeometry, pattern: FlankPattern, path: Floats) -> PatternMap:
     member = pair.member(pattern.member)
-    flank = involute_flank(member, pattern.flank)
+    flank = flank_of(member, pattern.flank)
     edge = outline(*_flat(flank.points(*np.ix_(np.linspace(0, 1, 9), np.linspace(0, 1, 25))), member.pitch_angle))
     x, y = drawn_flat(pattern.rho, np.radians(pattern.delta_deg), member.pitch_angle)
     gap = np.where(np.isfinite(pattern.gap_um), pattern.gap_um, NO_MATE)

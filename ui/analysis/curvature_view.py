@@ -12,7 +12,8 @@ from numpy.typing import NDArray
 from gearstudio.analysis.curvature import CurvatureMap, curvature_difference, surface_curvature
 from gearstudio.errors import GeometryError
 from gearstudio.theory.cones import MemberGeometry
-from gearstudio.theory.flank import InvoluteFlank, involute_flank
+from gearstudio.theory.flank import InvoluteFlank
+from gearstudio.theory.modified import flank_of
 from ui.charts.maps import FlankMap, MapData, Scale
 from ui.charts.raster import drawn_flat, frame, inside, outline, raster
 from ui.charts.records import Table
@@ -54,7 +55,7 @@ def curvature_maps(
     results: Mapping[Key, VariantResult], keys: tuple[Key, ...], member: MemberGeometry, wanted: Wanted
 ) -> tuple[MapData, str]:
     """A map for each result that is there, all coloured alike; and why there is none, if so."""
-    flank = involute_flank(member, "concave" if wanted.flank == "concave" else "convex")
+    flank = flank_of(member, "concave" if wanted.flank == "concave" else "convex")
     found = {key.method: _curvature(results[key], flank, wanted) for key in keys if key in results}
     good = {method: one for method, one in found.items() if isinstance(one, CurvatureMap)}
     name = f"curvature-{member.name}-{wanted.flank}-{wanted.quantity}{'-difference' * wanted.difference}"

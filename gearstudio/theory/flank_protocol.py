@@ -1,0 +1,107 @@
+"""What a flank is to methods, analysis and views, whatever curve it comes from."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Literal, Protocol
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from gearstudio.theory.cones import MemberGeometry
+
+if TYPE_CHECKING:
+    from gearstudio.theory.flank import InvoluteFlank
+
+Floats = NDArray[np.float64]
+FlankName = Literal["concave", "convex"]
+FLANKS: tuple[FlankName, FlankName] = ("concave", "convex")
+
+
+class Flank(Protocol):
+    """A theoretical flank.
+
+    u in [0, 1] runs from the root (or base cone) to the tip, v in [0, 1] from toe to heel; the unit square
+    is the working flank, and the map is analytic a little beyond it. Natural coordinates are those in which the
+    flank is given in closed form, whatever they are; `coordinates` leads to them.
+    """
+
+    @property
+    def name(self) -> FlankName:
+        """``concave`` or ``convex``."""
+        ...
+
+    @property
+    def member(self) -> MemberGeometry:
+        """Whose flank it is."""
+        ...
+
+    @property
+    def side(self) -> int:
+        """+1 or -1: at larger or smaller azimuth of the tooth centred at azimuth 0."""
+        ...
+
+    @property
+    def starts_on_base(self) -> bool:
+        """Whether the first derivative by u vanishes on the lower edge."""
+        ...
+
+    @property
+    def swept(self) -> InvoluteFlank:
+        """The nearest flank that one rigid line sweeps; the flank itself where it is such a one."""
+        ...
+
+    def points(self, u: ArrayLike, v: ArrayLike) -> Floats:
+        """Points, shape (..., 3) [mm]."""
+        ...
+
+    def normals(self, u: ArrayLike, v: ArrayLike) -> Floats:
+        """Unit normals out of the metal, shape (..., 3)."""
+        ...
+
+    def along(self, share: ArrayLike) -> Floats:
+        """Places v at which shares in [0, 1] divide the face for an interpolation."""
+        ...
+
+    def evenly_divided(self, n_u: int, n_v: int) -> Floats:
+        """Points at evenly spaced polar angles and places along the face, shape (n_u, n_v, 3)."""
+        ...
+
+    def trace(self, v: ArrayLike) -> Floats:
+        """Points on the pitch cone, shape (..., 3)."""
+        ...
+
+    def limits(self, v: ArrayLike) -> tuple[Floats, Floats]:
+        """Polar angles of the lower and upper edge [rad]."""
+        ...
+
+    def locate(self, points: ArrayLike) -> tuple[Floats, Floats, Floats]:
+        """Spherical coordinates rho, delta_k, phi of points."""
+        ...
+
+    def deviation(self, points: ArrayLike) -> Floats:
+        """Signed normal distance of points, positive where metal is added [mm]."""
+        ...
+
+    def edge_deviation(self, points: Floats) -> float:
+        """Farthest that the border of a surface (n_u, n_v, 3) lies from the edges [mm]."""
+        ...
+
+    def coordinates(self, u: ArrayLike, v: ArrayLike) -> tuple[Floats, Floats]:
+        """Natural coordinates at (u, v)."""
+        ...
+
+    def natural(self, points: ArrayLike) -> tuple[Floats, Floats]:
+        """Natural coordinates at points on or near the flank."""
+        ...
+
+    def at(self, first: ArrayLike, second: ArrayLike, /) -> Floats:
+        """Points at natural coordinates, shape (..., 3)."""
+        ...
+
+    def derivatives_at(self, first: ArrayLike, second: ArrayLike, /) -> tuple[Floats, Floats, Floats, Floats, Floats]:
+        """First and second derivatives by the natural coordinates, shape (..., 3) each."""
+        ...
+
+    def normals_at(self, first: ArrayLike, second: ArrayLike, /) -> Floats:
+        """Unit normals out of the metal at natural coordinates, shape (..., 3)."""
+        ...

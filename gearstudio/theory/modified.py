@@ -1,0 +1,184 @@
+"""A flank with micro-geometry: the involute flank, turned about the axis by as much as metal is taken off."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from gearstudio.theory.cones import ConeLimit, MemberGeometry
+from gearstudio.theory.flank import FlankName, InvoluteFlank, involute_flank, quarter
+from gearstudio.theory.involute import polar_angle as polar_angle_of
+from gearstudio.theory.involute import roll_arc, tangent_plane
+from gearstudio.theory.relief import Derivatives, FlankRelief
+
+Floats = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class ModifiedFlank(InvoluteFlank):
+    """An involute flank from which metal is taken off; natural coordinates and limits stay those of the involute.
+
+    With s(rho, delta_k) = -side e/lever(rho), lever = 1/sqrt(1/(rho sin delta_b)^2 + theta'^2), the azimuth is
+    phi + s and the point R_z(s) X. Below the base cone the turned meridians go on with the same s.
+    """
+
+    relief: FlankRelief | None = None
+
+    @property
+    def swept(self) -> InvoluteFlank:
+        """The flank without micro-geometry: no rigid line sweeps this one."""
+        return InvoluteFlank(self.member, self.side, self.foot)
+
+    def at(self, psi: ArrayLike, rho: ArrayLike) -> Floats:
+        """Points at natural coordinates, shape (..., 3)."""
+        psi, rho = np.broadcast_arrays(np.asarray(psi, dtype=np.float64), np.asarray(rho, dtype=np.float64))
+        return _turned(super().at(psi, rho), self.shift(rho, polar_angle_of(psi, self.member.base_angle)))
+
+    def azimuth(self, rho: ArrayLike, polar_angle: ArrayLike) -> Floats:
+        """phi'(rho, delta_k) [rad]."""
+        return super().azimuth(rho, polar_angle) + self.shift(rho, polar_angle)
+
+    def shift(self, rho: ArrayLike, polar_angle: ArrayLike) -> Floats:
+        """s(rho, delta_k): by how much the flank is turned there [rad]."""
+        return azimuth_shift(self.member, self.side, self.relief, rho, polar_angle)
+
+    def derivatives_at(self, psi: ArrayLike, rho: ArrayLike) -> tuple[Floats, Floats, Floats, Floats, Floats]:
+        """First and second derivatives by psi and rho: those of R_z(s) X, shape (..., 3) each."""
+        psi, rho = np.broadcast_arrays(np.asarray(psi, dtype=np.float64), np.asarray(rho, dtype=np.float64))
+        x, (a, b, aa, ab, bb) = super().at(psi, rho), super().derivatives_at(psi, rho)
+        s, s_a, s_b, s_aa, s_ab, s_bb = (part[..., None] for part in self._shift_by_natural(psi, rho))
+        x_j, x_jj, a_j, b_j = quarter(x), quarter(quarter(x)), quarter(a), quarter(b)
+        parts = (
+            a + s_a * x_j,
+            b + s_b * x_j,
+            aa + 2 * s_a * a_j + s_aa * x_j + s_a**2 * x_jj,
+            ab + s_a * b_j + s_b * a_j + s_ab * x_j + s_a * s_b * x_jj,
+            bb + 2 * s_b * b_j + s_bb * x_j + s_b**2 * x_jj,
+        )
+        first, second, *others = (_turned(part, s[..., 0]) for part in parts)
+        return first, second, others[0], others[1], others[2]
+
+    def normals_at(self, psi: ArrayLike, rho: ArrayLike) -> Floats:
+        """Unit normals out of the metal at natural coordinates; regular on the base cone too, shape (..., 3)."""
+        psi, rho = np.broadcast_arrays(np.asarray(psi, dtype=np.float64), np.asarray(rho, dtype=np.float64))
+        profile = np.sin(psi) / np.tan(self.member.base_angle)
+        return self._normals(self.at(psi, rho), rho, polar_angle_of(psi, self.member.base_angle), profile)
+
+    def lever(self, rho: Floats, polar_angle: Floats) -> Floats:
+        """Normal distance per difference in azimuth [mm/rad]."""
+        across, along = self._slopes(rho, polar_angle, self._profile_slope(polar_angle))
+        return np.asarray(rho * np.sin(polar_angle) / np.sqrt(1 + across**2 + along**2))
+
+    def _profile_slope(self, delta: Floats) -> Floats:
+        """sin(delta_k) beta'(delta_k) = sqrt(sin^2 delta_k / sin^2 delta_b - 1), 0 on the meridians below."""
+        base = self.member.base_angle
+        above = np.clip(delta, base, np.pi - base)
+        return np.asarray(np.sqrt(np.maximum((np.sin(above) / np.sin(base)) ** 2 - 1, 0.0)))
+
+    def _slopes(self, rho: Floats, delta: Floats, profile: Floats) -> tuple[Floats, Floats]:
+        """sin(delta_k) phi'_delta and rho sin(delta_k) phi'_rho."""
+        _, s_r, s_d, *_ = self._shift_derivatives(rho, delta)
+        theta = self.member.lengthwise.azimuth_slope(rho)
+        return np.sin(delta) * s_d - self.side * profile, rho * np.sin(delta) * (theta + s_r)
+
+    def _azimuth_deviation(self, rho: Floats, delta: Floats, phi: Floats) -> Floats:
+        base = self.member.base_angle
+        above = np.clip(delta, base, np.pi - base)
+        flank_phi = super().azimuth(rho, above) + self.shift(rho, delta)
+        difference = np.remainder(phi - flank_phi + np.pi, 2 * np.pi) - np.pi
+        return np.asarray(self.side * difference * self.lever(rho, delta))
+
+    def _continued(self, rho: Floats, delta: Floats) -> tuple[Floats, Floats]:
+        base = self.member.base_angle
+        psi = roll_arc(np.clip(delta, base, np.pi - base), base)
+        along, across, _ = tangent_plane(np.minimum(delta, base), self.contact_azimuth(psi, rho))
+        unit = np.cos(psi)[..., None] * along + self.side * np.sin(psi)[..., None] * across
+        points = _turned(rho[..., None] * unit, self.shift(rho, delta))
+        return points, self._normals(points, rho, delta, self._profile_slope(delta))
+
+    def _normals(self, points: Floats, rho: Floats, delta: Floats, profile: Floats) -> Floats:
+        """Gradient of side (phi - phi'(rho, delta_k)), which is regular everywhere, as unit vectors."""
+        across, along = (part[..., None] for part in self._slopes(rho, delta, profile))
+        phi = np.arctan2(points[..., 1], points[..., 0])
+        cos_p, sin_p, cos_d, sin_d, zero = np.cos(phi), np.sin(phi), np.cos(delta), np.sin(delta), np.zeros_like(phi)
+        radial = np.stack([sin_d * cos_p, sin_d * sin_p, cos_d], axis=-1)
+        downward = np.stack([cos_d * cos_p, cos_d * sin_p, -sin_d], axis=-1)
+        normal = self.side * (np.stack([-sin_p, cos_p, zero], axis=-1) - along * radial - across * downward)
+        return np.asarray(normal / np.linalg.norm(normal, axis=-1, keepdims=True))
+
+    def _shift_derivatives(self, rho: Floats, delta: Floats) -> Derivatives:
+        """s with its derivatives by rho and delta_k: the product of e with g = 1/lever(rho)."""
+        if self.relief is None:
+            zero = np.zeros(np.broadcast_shapes(np.shape(rho), np.shape(delta)))
+            return zero, zero, zero, zero, zero, zero
+        e, e_r, e_d, e_rr, e_rd, e_dd = self.relief.derivatives(rho, delta)
+        g, g_1, g_2 = _lever_inverse(self.member, rho)
+        turn = -self.side
+        return (
+            turn * e * g,
+            turn * (e_r * g + e * g_1),
+            turn * e_d * g,
+            turn * (e_rr * g + 2 * e_r * g_1 + e * g_2),
+            turn * (e_rd * g + e_d * g_1),
+            turn * e_dd * g,
+        )
+
+    def _shift_by_natural(self, psi: Floats, rho: Floats) -> Derivatives:
+        """s with its derivatives by psi and rho; cos(delta_k) = cos(delta_b) cos(psi)."""
+        base = self.member.base_angle
+        delta = polar_angle_of(psi, base)
+        first = np.cos(base) * np.sin(psi) / np.sin(delta)
+        second = (np.cos(base) * np.cos(psi) - np.cos(delta) * first**2) / np.sin(delta)
+        s, s_r, s_d, s_rr, s_rd, s_dd = self._shift_derivatives(rho, delta)
+        return s, s_d * first, s_r, s_dd * first**2 + s_d * second, s_rd * first, s_rr
+
+
+def flank_of(member: MemberGeometry, name: FlankName) -> InvoluteFlank:
+    """The concave or convex flank of a member's tooth, with the micro-geometry that its design gives it.
+
+    Raises
+    ------
+    GeometryError
+        As `involute_flank`.
+    """
+    return flank_on(member, involute_flank(member, name).side)
+
+
+def flank_on(member: MemberGeometry, side: int, foot: ConeLimit | None = None) -> InvoluteFlank:
+    """The flank on a side (+1 or -1), with micro-geometry; ``foot`` as of `InvoluteFlank`."""
+    relief = relief_on(member, side)
+    return InvoluteFlank(member, side, foot) if relief is None else ModifiedFlank(member, side, foot, relief)
+
+
+def relief_on(member: MemberGeometry, side: int) -> FlankRelief | None:
+    """The micro-geometry of the flank on a side."""
+    return member.reliefs[0 if side == member.hand else 1]
+
+
+def azimuth_shift(
+    member: MemberGeometry, side: int, relief: FlankRelief | None, rho: ArrayLike, polar_angle: ArrayLike
+) -> Floats:
+    """-side e/lever [rad]: by how much micro-geometry turns a flank at cone distances and polar angles."""
+    if relief is None:
+        return np.zeros(np.broadcast_shapes(np.shape(rho), np.shape(polar_angle)))
+    return np.asarray(-side * relief.value(rho, polar_angle) * _lever_inverse(member, rho)[0])
+
+
+def _lever_inverse(member: MemberGeometry, rho: ArrayLike) -> tuple[Floats, Floats, Floats]:
+    """g = sqrt(1/(rho sin delta_b)^2 + theta'^2) [rad/mm], with two derivatives by rho."""
+    rho = np.asarray(rho, dtype=np.float64)
+    square = np.sin(member.base_angle) ** 2
+    _, theta_1, theta_2 = member.lengthwise.azimuth_derivatives(rho)
+    theta_3 = member.lengthwise.azimuth_third(rho)
+    g = np.sqrt(1 / (rho**2 * square) + theta_1**2)
+    first = (theta_1 * theta_2 - 1 / (rho**3 * square)) / g
+    return g, first, (3 / (rho**4 * square) + theta_2**2 + theta_1 * theta_3 - first**2) / g
+
+
+def _turned(vectors: Floats, angle: Floats) -> Floats:
+    """Vectors turned about the axis, (..., 3) by angles (...)."""
+    c, s = np.cos(angle), np.sin(angle)
+    x, y, z = np.moveaxis(vectors, -1, 0)
+    return np.stack([c * x - s * y, s * x + c * y, z], axis=-1)
