@@ -25,6 +25,7 @@ Along = Callable[[Floats], Floats]
 _DEGREE = 5
 _NODES_A_SPAN = (6, 12, 24)
 _SHARE = 1e-8
+_SAME_KNOT = 1e-9
 
 
 @dataclass(frozen=True)
@@ -110,8 +111,7 @@ def _whole(record: NurbsSurface, curve: Geom_Curve, face: int, end: int, span: t
 
 
 def _cut(record: NurbsSurface, face: int, cut: EndCut) -> EndPiece:
-    breaks = np.union1d(record.knots_u, cut.spline.t)
-    knots = np.r_[cut.first, breaks[(breaks > cut.first) & (breaks < cut.last)], cut.last]
+    knots = _within((cut.first, cut.last), np.r_[record.knots_u, cut.spline.t])
 
     def on_face(u: Floats) -> Floats:
         return record.points(u, cut.v(u))
@@ -167,7 +167,7 @@ def trace_on(
     def on_surface(places: Floats) -> Floats:
         return revolved.parameters(np.vstack([anchor, places]))[1:]
 
-    spans = np.r_[span[0], knots[(knots > span[0]) & (knots < span[1])], span[1]]
+    spans = _within(span, knots)
     for nodes_a_span in _NODES_A_SPAN:
         nodes = nodes_of(spans, nodes_a_span)
         spline = make_interp_spline(nodes, on_surface(points(nodes)), k=_DEGREE)
@@ -177,6 +177,14 @@ def trace_on(
         if float(off.max()) <= _SHARE * np.abs(edge).max():
             break
     return flat_curve(spline), float(np.max(revolved.distance(edge) + off))
+
+
+def _within(span: tuple[float, float], knots: Floats) -> Floats:
+    """Both ends of a span and the distinct knots between."""
+    places = np.sort(knots)
+    inside = places[np.diff(places, prepend=-np.inf) > _SAME_KNOT]
+    slack = _SAME_KNOT * (1 + span[1] - span[0])
+    return np.r_[span[0], inside[(inside > span[0] + slack) & (inside < span[1] - slack)], span[1]]
 
 
 def fitted_curve(values: Along, knots: Floats, goal: float) -> tuple[BSpline, float]:

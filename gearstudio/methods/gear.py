@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from gearstudio.catalogue import Variant
 from gearstudio.design import Design
@@ -16,6 +16,7 @@ from gearstudio.methods.cut import body_titles, cut_gear, cut_names
 from gearstudio.methods.tooth import Tooth, build_tooth
 from gearstudio.results import FaceResult, MassProperties, SolidResult
 from gearstudio.theory.blank import BlankOutline, BlankSizes, blank_outline
+from gearstudio.theory.chamfer import end_chamfers
 from gearstudio.theory.cones import MemberGeometry, pair_geometry
 
 CONSTRUCTIONS = ("assemble", "cut")
@@ -54,10 +55,11 @@ def ignore(stage: str, fraction: float) -> None:
 
 
 def design_tooth(design: Design, member: str, method_id: str, variant: Variant) -> Tooth:
-    """One tooth of a member; ModellingError when the method could not make it."""
+    """One tooth of a member with its chamfers; ModellingError when the method could not make it."""
     geometry = pair_geometry(design).member(member)
+    chamfers = end_chamfers(geometry, blank_sizes(design, member).end_chamfer)
     try:
-        return build_tooth(geometry, method_id, variant, target_of(design, geometry))
+        return replace(build_tooth(geometry, method_id, variant, target_of(design, geometry)), chamfers=chamfers)
     except GeometryError as error:
         raise ModellingError(method_id, f"{variant} tooth of the {member}", str(error)) from error
 

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from gearstudio.errors import GeometryError
 from gearstudio.methods.grafts import placed
 from gearstudio.methods.rings import SHARE, Points, Rings
+from gearstudio.methods.spread import Spread
 from gearstudio.methods.tooth import Tooth
 from gearstudio.nurbs import NurbsSurface
 from gearstudio.results import Mesh
@@ -111,15 +112,17 @@ class _Sampled:
                 f"triangles within {tolerance:.3g} mm and {np.degrees(angle):.3g}° of the {tooth.member.name} would be "
                 f"more than {_MOST_TRIANGLES // 1_000_000} million; allow a larger distance or angle"
             )
+        spread = [Spread.of(face.surface, tooth.chamfers) for face in faces]
+        steps = {face.kind: one.steps(across[face.kind]) for face, one in zip(faces, spread, strict=True)}
+        across |= {kind: sum(counts) for kind, counts in steps.items()}
         v = np.linspace(0.0, 1.0, along + 1)
         grids, runs, at = [], [], 0
-        for face in faces:
+        for face, one in zip(faces, spread, strict=True):
             n = across[face.kind]
-            grids.append(face.surface.grid(np.linspace(0.0, 1.0, n + 1)[:-1], v))
+            counts = steps[face.kind] if face.side > 0 else steps[face.kind][::-1]
+            grids.append(one.grid(counts, v)[: n if with_root or face is not faces[-1] else None])
             runs.append((_group(face.kind, face.side, tooth.member.hand), at, at + n))
             at += n
-        if not with_root:
-            grids.append(faces[-1].surface.grid([1.0], v))
         side = sum(n for name, n in across.items() if name in ("fillet", "meridian", "flank"))
         return _Sampled(tooth.member, np.concatenate(grids), tuple(runs), side, across["tip"], at)
 

@@ -33,13 +33,14 @@ def tooth_solid(tooth: Tooth, target: Target) -> GearShell:
         ),
         SAFETY * target.tolerance,
     )
-    return closed_tooth([*surfaces, bottom], member.ends == "sphere")
+    return closed_tooth([*surfaces, bottom], member.ends == "sphere", chamfers=tooth.chamfers)
 
 
 def tooth_names(tooth: Tooth, shell: GearShell) -> tuple[tuple[str, Face], ...]:
     """Names of the solid's faces, as of a gear's but without the number."""
     titles = [face.title(tooth.member.hand) for face in tooth.faces if face.kind != "root"]
-    return tuple(zip([*titles, "lower side"], shell.tooth_faces[0], strict=True))
+    titles += ["lower side", *(chamfer.title for chamfer in tooth.chamfers)]
+    return tuple(zip(titles, (*shell.tooth_faces[0], *shell.chamfer_faces[0]), strict=True))
 
 
 def _bottom_angles(profile: ToothProfile) -> Angles:

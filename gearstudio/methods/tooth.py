@@ -29,6 +29,7 @@ from gearstudio.methods.grafts import (
 from gearstudio.methods.space import Points, Space, fitted, space_v
 from gearstudio.methods.trimming import trimmed
 from gearstudio.nurbs import NurbsSurface
+from gearstudio.theory.chamfer import EndChamfer
 from gearstudio.theory.cones import ConeLimit, MemberGeometry
 from gearstudio.theory.flank import Flank
 from gearstudio.theory.modified import flank_on
@@ -57,12 +58,16 @@ class ToothFace:
 
 @dataclass(frozen=True)
 class Tooth:
-    """The faces of one pitch in the order of azimuth, from the fillet at smaller azimuth to the root beyond."""
+    """The faces of one pitch in the order of azimuth, from the fillet at smaller azimuth to the root beyond.
+
+    ``chamfers`` end them at toe and heel; the faces go on beyond.
+    """
 
     member: MemberGeometry
     profile: ToothProfile
     faces: tuple[ToothFace, ...]
     constructions: dict[str, Construction]
+    chamfers: tuple[EndChamfer, ...] = ()
 
 
 def build_tooth(member: MemberGeometry, method_id: str, variant: Variant, target: Target) -> Tooth:

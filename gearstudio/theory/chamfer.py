@@ -26,6 +26,7 @@ _NODES = (9, 17, 33, 65)
 _SHARE = 1e-9
 _PROBE = 65
 _ROUNDS = 8
+_SLIVER = 1e-9
 
 
 @dataclass(frozen=True)
@@ -154,6 +155,9 @@ def end_cut(surface: NurbsSurface, chamfer: EndChamfer) -> EndCut | None:
     for k in changes:
         root = float(brentq(at_end, probe[k], probe[k + 1], xtol=1e-15))
         first, last = (root, 1.0) if outside[-1] else (0.0, root)
+    if last - first < _SLIVER:
+        return None
+    first, last = (first if first > _SLIVER else 0.0), (last if last < 1 - _SLIVER else 1.0)
     scale = float(np.abs(surface.poles).max())
     for count in _NODES:
         u = first + (last - first) * (1 - np.cos(np.pi * np.arange(count) / (count - 1))) / 2
