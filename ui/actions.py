@@ -13,8 +13,10 @@ from gearstudio.catalogue import MEMBERS, METHOD_IDS, VARIANTS
 from ui.formatting import MEMBER_TITLES, METHOD_TITLES, VARIANT_TITLES
 from ui.session import ALL
 from ui.theme import icon
+from ui.words import tr
 
 Keys = QKeySequence.StandardKey
+TIP = "gearstudio_tip"
 MODES = (
     ("flanks", "Flanks of one tooth", "Alt+1", "view-flank"),
     ("gear", "Whole gear", "Alt+2", "gear"),
@@ -56,6 +58,9 @@ COMMANDS = (
     Command("quit", "&Quit", "", Keys.Quit),
     Command("undo", "&Undo", "Take back the last edit", Keys.Undo, "undo"),
     Command("redo", "&Redo", "Do again what was taken back", Keys.Redo, "redo"),
+    Command("reset_field", "Reset &field", "Give the field with the cursor its default back", "Ctrl+R"),
+    Command("reset_all", "Reset a&ll parameters", "Give every parameter its default back; can be undone"),
+    Command("find_field", "&Find a parameter", "Search the parameters by title, symbol or description", Keys.Find),
     Command("copy_table", "&Copy comparison", "Copy the comparison table as text"),
     Command("copy_derived", "Copy &derived values", "Copy the derived values as text"),
     Command("build_gear", "Build &gear", "Build the whole gear as a solid and show it", "Ctrl+G"),
@@ -87,7 +92,7 @@ class Actions(QObject):
         for action, (_, _, _, name) in zip(self.modes.actions(), MODES, strict=True):
             self._icons[action] = name
             action.setIcon(icon(name))
-            action.setToolTip(f"{action.text()} ({action.shortcut().toString()})")
+            show_keys(action)
             action.setIconVisibleInMenu(False)
         check(self.modes, "flanks")
         self.schemes = self._choices([("system", "As the system", ""), ("light", "Light", ""), ("dark", "Dark", "")])
@@ -118,6 +123,15 @@ class Actions(QObject):
         """Tick the mode, without announcing it."""
         check(self.modes, mode)
 
+    def name_step(self, name: str, step: str) -> None:
+        """Say which edit would be taken back (`undo`) or done again (`redo`); without one, switch it off."""
+        action = self[name]
+        word = tr("&Undo") if name == "undo" else tr("&Redo")
+        action.setText(f"{word} {step.replace('&', '&&')}" if step else word)
+        action.setIconText(word.replace("&", ""))
+        show_keys(action, action.text().replace("&&", "&").replace("&", "", 1) if step else "")
+        action.setEnabled(bool(step))
+
     def fill_layers(self) -> None:
         """Make the list of layers, once the views are loaded."""
         from ui.layers import LAYERS
@@ -143,8 +157,8 @@ class Actions(QObject):
         action = QAction(command.text, self)
         if command.keys:
             action.setShortcut(QKeySequence(command.keys))
-        keys = action.shortcut().toString(QKeySequence.SequenceFormat.NativeText)
-        action.setToolTip(f"{command.tip or command.text.replace('&', '')}{f' ({keys})' if keys else ''}")
+        action.setObjectName(command.name)
+        show_keys(action, command.tip)
         if command.icon:
             self._icons[action] = command.icon
             action.setIcon(icon(command.icon))
@@ -165,7 +179,7 @@ class Actions(QObject):
         bar = window.menuBar()
         plan: tuple[tuple[str, tuple[str | QMenu, ...]], ...] = (
             ("&File", ("new", "open", self.presets, "", "save", "save_as", "", "export", "screenshot", "", "quit")),
-            ("&Edit", ("undo", "redo", "", "copy_table", "copy_derived")),
+            ("&Edit", ("undo", "redo", "", "reset_field", "reset_all", "find_field", "", "copy_table", "copy_derived")),
         )
         for title, items in plan:
             _fill(bar.addMenu(title), items, self)
@@ -193,6 +207,14 @@ def check(group: QActionGroup, identifier: str) -> None:
     for action in group.actions():
         if action.data() == identifier:
             action.setChecked(True)
+
+
+def show_keys(action: QAction, tip: str = "") -> None:
+    """Tooltip of an action: what it does (`tip`, or what it said before) and its key."""
+    said = tip or action.property(TIP) or action.text().replace("&", "")
+    action.setProperty(TIP, said)
+    keys = action.shortcut().toString(QKeySequence.SequenceFormat.NativeText)
+    action.setToolTip(f"{said} ({keys})" if keys else said)
 
 
 def _numbered(identifiers: tuple[str, ...], titles: dict[str, str]) -> list[tuple[str, str, str]]:

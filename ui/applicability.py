@@ -6,7 +6,10 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from gearstudio.design import all_field_specs, field_specs
-from ui.formatting import choice_title, number_text
+from ui.explain import title_in_text
+from ui.formatting import choice_title
+from ui.units import shown_text
+from ui.words import tr
 
 if TYPE_CHECKING:
     from gearstudio.design import Design
@@ -20,20 +23,28 @@ def idle_fields(draft: Mapping[str, Any]) -> dict[str, str]:
     for spec in field_specs():
         if spec.used_when is not None and draft.get(spec.used_when[0]) != spec.used_when[1]:
             other = all_field_specs()[spec.used_when[0]]
-            idle[spec.path] = f"It needs “{choice_title(spec.used_when[1])}” as {other.title.lower()}."
+            idle[spec.path] = tr(
+                "It needs “{choice}” as {field}.",
+                choice=tr(choice_title(spec.used_when[1])),
+                field=title_in_text(other),
+            )
     if curve != "archimedean":
-        idle["lengthwise.spiral_angle_at"] = "Only the Archimedean spiral can take its angle at the toe."
+        idle["lengthwise.spiral_angle_at"] = tr("Only the Archimedean spiral can take its angle at the toe.")
     if draft.get("pair.face_width") is not None:
-        idle["pair.face_width_factor"] = "The face width is given in millimetres: empty that field to use the factor."
+        idle["pair.face_width_factor"] = tr("The face width is given as a length: empty that field to use the factor.")
     return idle
 
 
 def derived_hints(design: Design, pair: PairGeometry) -> dict[str, str]:
     """Values that the program takes for empty optional fields, as grey text."""
-    hints = {"pair.face_width": number_text(round(pair.wheel.face_width, 3))}
+    hints = {"pair.face_width": _hint(pair.wheel.face_width)}
     for member in (pair.pinion, pair.wheel):
         hints |= _blank_hints(design, member)
     return hints
+
+
+def _hint(millimetres: float) -> str:
+    return shown_text(round(millimetres, 3), "mm")
 
 
 def _blank_hints(design: Design, member: MemberGeometry) -> dict[str, str]:
@@ -45,4 +56,4 @@ def _blank_hints(design: Design, member: MemberGeometry) -> dict[str, str]:
     except BlankError:
         return {}
     names = ("bore_diameter", "hub_diameter", "hub_length", "mounting_distance", "web_thickness")
-    return {f"blank.{member.name}.{name}": number_text(round(getattr(used, name), 3)) for name in names}
+    return {f"blank.{member.name}.{name}": _hint(getattr(used, name)) for name in names}

@@ -8,14 +8,14 @@ from typing import TYPE_CHECKING, Any
 from PySide6.QtCore import QObject, Signal
 
 from ui.analysis.presenter import AnalysisPresenter
-from ui.applicability import derived_hints, idle_fields
+from ui.applicability import derived_hints
 from ui.blanks import Blanks
 from ui.builds import Builds
+from ui.edits import Edits
 from ui.export_dialog import export_report
 from ui.presenter import Presenter, view_title
 from ui.session import Key, Session
 from ui.solid_mode import SolidMode
-from ui.undo import History
 
 if TYPE_CHECKING:
     from gearstudio.jobs import Job
@@ -43,7 +43,7 @@ class Controller(QObject):
     def __init__(self, session: Session, window: MainWindow, files: Files) -> None:
         super().__init__(window)
         self.session, self.window, self.files = session, window, files
-        self.history = History()
+        self.edits = Edits(session, window, self)
         self.builds = Builds(session, self)
         self.presenter = Presenter(session, window.area, self)
         self.analysis = AnalysisPresenter(session, window.analysis, self)
@@ -54,8 +54,6 @@ class Controller(QObject):
         self._connect_selection()
         self._connect_results()
         self._connect_commands()
-        window.form.set_values(session.draft)
-        window.form.set_idle(idle_fields(session.draft))
         self._on_selection_changed()
         self._on_document_changed()
 
@@ -115,12 +113,10 @@ class Controller(QObject):
 
     def _connect_form(self) -> None:
         session, window = self.session, self.window
-        window.form.field_edited.connect(self._on_field_edited)
-        session.draft_replaced.connect(self._on_draft_replaced)
         session.issues_changed.connect(window.form.show_issues)
         session.design_changed.connect(self._on_design_changed)
         session.document_changed.connect(self._on_document_changed)
-        self.files.opened.connect(self.history.clear)
+        self.files.opened.connect(self.edits.clear)
         self.files.opened.connect(self._on_document_changed)
 
     def _connect_selection(self) -> None:
@@ -154,8 +150,6 @@ class Controller(QObject):
             "export": files.export,
             "screenshot": files.screenshot,
             "quit": window.close,
-            "undo": lambda: self._restore(self.history.undo()),
-            "redo": lambda: self._restore(self.history.redo()),
             "build_gear": lambda: self.solid_mode.build("gear"),
             "build_pair": lambda: self.solid_mode.build("pair"),
             "rebuild": self.builds.rebuild,
@@ -172,18 +166,6 @@ class Controller(QObject):
         commands["cancel"].setEnabled(False)
 
     # ---- what the user does --------------------------------------------------------------------------
-
-    def _on_field_edited(self, field: str, value: Any) -> None:
-        before = dict(self.session.draft)
-        self.session.edit(field, value)
-        self.history.record(field, before, self.session.draft)
-        self.window.form.set_idle(idle_fields(self.session.draft))
-        self._show_history()
-
-    def _restore(self, draft: Any) -> None:
-        if draft is not None:
-            self.session.restore(draft)
-            self._show_history()
 
     def _cancel(self) -> None:
         self.builds.pause.cancel()
@@ -215,10 +197,6 @@ class Controller(QObject):
         self.window.commands.show_layers(layer_ids)
 
     # ---- what is shown -------------------------------------------------------------------------------
-
-    def _on_draft_replaced(self) -> None:
-        self.window.form.set_values(self.session.draft)
-        self.window.form.set_idle(idle_fields(self.session.draft))
 
     def _on_design_changed(self, design: object) -> None:
         session, window = self.session, self.window
@@ -287,8 +265,3 @@ class Controller(QObject):
 
     def _on_document_changed(self) -> None:
         self.window.show_document(self.session.title, self.session.unsaved)
-        self._show_history()
-
-    def _show_history(self) -> None:
-        self.window.commands["undo"].setEnabled(bool(self.history.undo_label))
-        self.window.commands["redo"].setEnabled(bool(self.history.redo_label))

@@ -5,11 +5,12 @@ from __future__ import annotations
 from typing import Any
 
 from PySide6.QtCore import QEvent, Qt, Signal
-from PySide6.QtGui import QKeyEvent, QKeySequence, QWheelEvent
+from PySide6.QtGui import QKeyEvent, QKeySequence
 from PySide6.QtWidgets import QComboBox, QLineEdit, QWidget
 
 from gearstudio.design import FieldSpec
-from ui.formatting import choice_title, number_text, parse_number
+from ui.formatting import NUMBER, choice_title, parse_number
+from ui.units import factor, from_shown, shown_text, spaced, to_shown
 
 
 class _Line(QLineEdit):
@@ -25,12 +26,12 @@ class _Line(QLineEdit):
 
 
 class NumberField(_Line):
-    """A number typed as text; Up and Down step it, the wheel does not.
+    """A number or a sum typed as text; Up and Down step it. Lengths are shown and typed in the user's unit.
 
     Signals
     -------
     value_edited(object)
-        int or float, the raw text when it is no number, None when an optional field was emptied.
+        int or float in the design's unit, the raw text when it is no number, None when an optional field was emptied.
     """
 
     value_edited = Signal(object)
@@ -38,18 +39,37 @@ class NumberField(_Line):
     def __init__(self, spec: FieldSpec, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._spec = spec
+        self._shown: tuple[str, Any] = ("", None)
         self.textEdited.connect(self._on_text_edited)
+        self.editingFinished.connect(self._work_out)
 
     def value(self) -> Any:
         """What stands in the field, as :attr:`value_edited` would give it."""
-        text = self.text()
-        return None if self._spec.optional and not text.strip() else parse_number(text)
+        return self._shown[1] if self.text() == self._shown[0] else read_number(self.text(), self._spec)[0]
+
+    @property
+    def problem(self) -> str:
+        """Why a sum has no value; empty when it has, or when no sum was typed."""
+        return "" if self.text() == self._shown[0] else read_number(self.text(), self._spec)[1]
+
+    @property
+    def result_text(self) -> str:
+        """The value of a sum with its unit; empty when a plain number stands in the field."""
+        value = self.value()
+        if isinstance(value, str | None) or not isinstance(parse_number(self.text()), str):
+            return ""
+        return f"= {shown_text(value, self._spec.unit)}{spaced(self._spec.unit)}"
 
     def set_value(self, value: Any) -> None:
         """Show a value without announcing it; text that already means the same stays as typed."""
-        if value is not None and value == self.value():
-            return
-        self.setText("" if value is None else value if isinstance(value, str) else number_text(value))
+        if value != self.value():
+            self._put(value)
+
+    def show_units(self) -> None:
+        """Show the same value in the unit that the user chose now."""
+        value = self._shown[1]
+        if not isinstance(value, str | None):
+            self._put(value)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Up, Down: one step; Page Up, Page Down: ten."""
@@ -60,27 +80,42 @@ class NumberField(_Line):
         else:
             self._step_by(count)
 
+    def _put(self, value: Any) -> None:
+        plain = "" if value is None else value if isinstance(value, str) else shown_text(value, self._spec.unit)
+        self._shown = (plain, value)
+        self.setText(plain)
+
     def _step_by(self, count: int) -> None:
         value = self.value()
         if value is None:
-            value = parse_number(self.placeholderText().split(" ")[0])
-        if isinstance(value, str):
+            value = read_number(self.placeholderText().split(" ")[0], self._spec)[0]
+        if isinstance(value, str | None):
             return
-        step = self._spec.step or (1 if self._spec.kind == "int" else 0.1)
-        stepped = value + count * step
-        if self._spec.minimum is not None and count < 0 and value >= self._spec.minimum:
-            stepped = max(stepped, self._spec.minimum)
-        if self._spec.maximum is not None and count > 0 and value <= self._spec.maximum:
-            stepped = min(stepped, self._spec.maximum)
-        self.setText(number_text(int(stepped) if self._spec.kind == "int" else round(stepped, 9)))
+        spec, unit = self._spec, self._spec.unit
+        step = spec.step or (1 if spec.kind == "int" else 0.1)
+        if factor(unit) != 1:
+            step = float(f"{step / factor(unit):.0e}")
+        stepped = from_shown(round(to_shown(value, unit) + count * step, 9), unit)
+        if spec.minimum is not None and count < 0 and value >= spec.minimum:
+            stepped = max(stepped, spec.minimum)
+        if spec.maximum is not None and count > 0 and value <= spec.maximum:
+            stepped = min(stepped, spec.maximum)
+        self._put(int(stepped) if spec.kind == "int" else stepped)
         self.value_edited.emit(self.value())
 
     def _on_text_edited(self) -> None:
-        self.value_edited.emit(self.value())
+        value = self.value()
+        self._shown = (self.text(), value)
+        self.value_edited.emit(value)
+
+    def _work_out(self) -> None:
+        """Replace a sum by its value once it is typed to the end."""
+        if self.result_text:
+            self._put(self.value())
 
 
 class ChoiceField(QComboBox):
-    """One of a few words; the wheel scrolls the form instead of changing the choice.
+    """One of a few words.
 
     Signals
     -------
@@ -106,10 +141,6 @@ class ChoiceField(QComboBox):
     def set_value(self, value: Any) -> None:
         """Show a choice without announcing it."""
         self.setCurrentIndex(self.findData(value))
-
-    def wheelEvent(self, event: QWheelEvent) -> None:
-        """Left to the form."""
-        event.ignore()
 
 
 class TextField(_Line):
@@ -149,6 +180,27 @@ def make_field(spec: FieldSpec, parent: QWidget | None = None) -> Field:
         "text": TextField,
     }
     return kinds[spec.kind](spec, parent)
+
+
+def read_number(text: str, spec: FieldSpec) -> tuple[int | float | str | None, str]:
+    """Value of a text typed into a field, in the design's unit, and why a sum in it has none.
+
+    The value is the text itself when it is no number, None when an optional field is empty.
+    """
+    if not text.strip() and spec.optional:
+        return None, ""
+    plain = parse_number(text)
+    if not isinstance(plain, str):
+        return (plain if factor(spec.unit) == 1 else from_shown(plain, spec.unit)), ""
+    if NUMBER.fullmatch(text.strip()) or not any(letter.isdigit() for letter in text):
+        return text, ""
+    from ui.expressions import ExpressionError, evaluate
+
+    try:
+        value = evaluate(text, spec.unit)
+    except ExpressionError as error:
+        return text, str(error)
+    return (int(value) if spec.kind == "int" and value.is_integer() else value), ""
 
 
 def set_severity(widget: QWidget, severity: str) -> None:

@@ -1,69 +1,108 @@
-"""A row of the parameter form (label, editor, unit, message) and a section that folds."""
+"""A row of the parameter form: reset button, label, editor, unit, message."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from html import escape
+from typing import Any
 
-from PySide6.QtCore import QSize, Qt
-from PySide6.QtWidgets import QGridLayout, QLabel, QSizePolicy, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtCore import QPoint, QSize, Qt, Signal
+from PySide6.QtGui import QContextMenuEvent
+from PySide6.QtWidgets import QGridLayout, QLabel, QLineEdit, QMenu, QSizePolicy, QToolButton, QWidget
 
 from gearstudio.design import FieldSpec
 from gearstudio.errors import Issue
-from ui.fields import ChoiceField, TextField, make_field, set_severity
-from ui.formatting import choice_title, number_text, subscripts
+from ui.explain import field_value_text, tooltip
+from ui.fields import ChoiceField, NumberField, TextField, make_field, set_severity
 from ui.theme import set_icon
+from ui.units import unit_shown
+from ui.words import tr
 
-LABEL_WIDTH = 124
-UNIT_WIDTH = 26
+GUTTER, LABEL_WIDTH, UNIT_WIDTH = 18, 124, 24
 UNITS = ("mm", "°", "µm")
 
 
 class FieldRow(QWidget):
-    """One parameter: label, editor, unit, and under them what is wrong with it."""
+    """One parameter: label, editor, unit, a button that resets it, and under them what is wrong with it.
+
+    Signals
+    -------
+    reset_requested()
+    group_reset_requested()
+    explanation_requested()
+        "What is this?" was asked.
+    """
+
+    reset_requested = Signal()
+    group_reset_requested = Signal()
+    explanation_requested = Signal()
 
     def __init__(self, spec: FieldSpec, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.spec = spec
         self.field = make_field(spec, self)
-        self.field.setAccessibleName(spec.title)
+        self.field.setAccessibleName(tr(spec.title))
+        self.field.setAccessibleDescription(tr(spec.description))
         self.field.setObjectName(spec.path)
+        self.field.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
+        self.field.customContextMenuRequested.connect(lambda place: self._show_menu(self.field.mapToGlobal(place)))
         self._idle = ""
-        self._label = QLabel(spec.title)
+        self._issues: Sequence[Issue] = ()
+        self.reset = self._make_reset()
+        self._label = QLabel(tr(spec.title))
         self._label.setWordWrap(True)
         self._label.setFixedWidth(LABEL_WIDTH)
         self._label.setBuddy(self.field)
         self._message = _message_label()
-        unit = QLabel(spec.unit if spec.unit in UNITS else "")
-        unit.setProperty("role", "muted")
-        unit.setFixedWidth(UNIT_WIDTH)
+        self._unit = QLabel()
+        self._unit.setProperty("role", "muted")
+        self._unit.setFixedWidth(UNIT_WIDTH)
         layout = QGridLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.setHorizontalSpacing(6)
         layout.setVerticalSpacing(2)
-        layout.addWidget(self._label, 0, 0)
+        layout.setColumnMinimumWidth(0, GUTTER)
+        layout.addWidget(self.reset, 0, 0)
+        layout.addWidget(self._label, 0, 1)
         wide = isinstance(self.field, ChoiceField | TextField)
-        layout.addWidget(self.field, 0, 1, 1, 2 if wide else 1)
+        layout.addWidget(self.field, 0, 2, 1, 2 if wide else 1)
         if not wide:
-            layout.addWidget(unit, 0, 2)
-        layout.addWidget(self._message, 1, 0, 1, 3)
-        layout.setColumnStretch(1, 1)
-        self._refresh_tooltip()
+            layout.addWidget(self._unit, 0, 3)
+        layout.addWidget(self._message, 1, 1, 1, 3)
+        layout.setColumnStretch(2, 1)
+        self.show_units()
 
     @property
     def message(self) -> str:
         """What stands under the field; empty when nothing is wrong."""
-        return self._message.text()
+        return self._message.text() if self._issues else ""
+
+    @property
+    def idle(self) -> str:
+        """Why the field has no effect now; empty when it has."""
+        return self._idle
+
+    @property
+    def words(self) -> str:
+        """All that a search may look for, in small letters."""
+        spec = self.spec
+        texts = (spec.title, spec.symbol, spec.path, spec.description, spec.group)
+        return " ".join(f"{text} {tr(text)}" for text in texts if text).lower()
 
     def frame(self, severity: str) -> None:
         """Frame the editor as ``"error"``, ``"warning"`` or ``""``."""
         set_severity(self.field, severity)
 
     def say(self, issues: Sequence[Issue]) -> None:
-        """Write problems under the field, or take them away."""
-        self._message.setText("\n".join(issue.message for issue in issues))
-        set_severity(self._message, "error" if any(i.severity == "error" for i in issues) else "warning")
-        self._message.setVisible(bool(issues))
+        """Write problems under the field; without any, the value of a sum while it is typed."""
+        self._issues = issues
+        problem = self.field.problem if isinstance(self.field, NumberField) else ""
+        result = self.field.result_text if isinstance(self.field, NumberField) and self.field.hasFocus() else ""
+        lines = [problem] if problem else [issue.message for issue in issues] or [result]
+        self._message.setText("\n".join(filter(None, lines)))
+        error = any(issue.severity == "error" for issue in issues)
+        set_severity(self._message, ("error" if error else "warning") if issues else "")
+        self._message.setVisible(bool(self._message.text()))
 
     def set_hint(self, text: str) -> None:
         """Grey text shown while an optional field is empty."""
@@ -78,78 +117,73 @@ class FieldRow(QWidget):
             self._label.setEnabled(not reason)
             self._refresh_tooltip()
 
+    def show_changed(self, changed: bool) -> None:
+        """Offer to reset the field while it differs from its default."""
+        self.reset.setVisible(changed)
+
+    def show_units(self) -> None:
+        """Show value, unit and limits in the unit that the user chose."""
+        self._unit.setText(unit_shown(self.spec.unit) if self.spec.unit in UNITS else "")
+        if isinstance(self.field, NumberField):
+            self.field.show_units()
+        self.reset.setToolTip(tr("Reset to {value}", value=field_value_text(self.spec, self.spec.default)))
+        self._refresh_tooltip()
+
+    def make_menu(self) -> QMenu:
+        """What can be done with the field: editing, resetting, explaining."""
+        menu = QMenu(self)
+        if isinstance(self.field, QLineEdit):
+            for text, run, possible in self._edits(self.field):
+                action = menu.addAction(text)
+                action.triggered.connect(run)
+                action.setEnabled(possible)
+            menu.addSeparator()
+        value: Any = self.spec.default
+        reset = menu.addAction(tr("Reset to {value}", value=field_value_text(self.spec, value)))
+        reset.setEnabled(not self.reset.isHidden())
+        reset.triggered.connect(self.reset_requested)
+        group = menu.addAction(tr("Reset group {group}", group=tr(self.spec.group)))
+        group.triggered.connect(self.group_reset_requested)
+        menu.addSeparator()
+        menu.addAction(tr("What is this?")).triggered.connect(self.explanation_requested)
+        return menu
+
+    def contextMenuEvent(self, event: QContextMenuEvent) -> None:
+        self._show_menu(event.globalPos())
+        event.accept()
+
+    def _edits(self, line: QLineEdit) -> tuple[tuple[str, Any, bool], ...]:
+        chosen, writable = line.hasSelectedText(), line.isEnabled() and not line.isReadOnly()
+        return (
+            (tr("Cut"), line.cut, chosen and writable),
+            (tr("Copy"), line.copy, chosen),
+            (tr("Paste"), line.paste, writable),
+            (tr("Select all"), line.selectAll, bool(line.text())),
+        )
+
+    def _show_menu(self, place: QPoint) -> None:
+        menu = self.make_menu()
+        menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        menu.popup(place)
+
+    def _make_reset(self) -> QToolButton:
+        button = QToolButton(self)
+        button.setAutoRaise(True)
+        button.setProperty("role", "gutter")
+        button.setFixedSize(GUTTER, GUTTER)
+        button.setIconSize(QSize(12, 12))
+        button.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        button.setAccessibleName(tr("Reset {field}", field=tr(self.spec.title)))
+        set_icon(button, "reset")
+        button.clicked.connect(self.reset_requested)
+        button.hide()
+        return button
+
     def _refresh_tooltip(self) -> None:
         text = tooltip(self.spec)
         if self._idle:
-            text = f"<p><b>Not used now.</b> {escape(self._idle)}</p>{text}"
+            text = f"<p><b>{tr('Not used now.')}</b> {escape(self._idle)}</p>{text}"
         self.setToolTip(text)
-
-
-class Section(QWidget):
-    """A titled group of rows; a click on the title folds it."""
-
-    def __init__(self, title: str, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self._title = QToolButton()
-        self._title.setProperty("role", "section")
-        self._title.setText(title)
-        self._title.setCheckable(True)
-        self._title.setChecked(True)
-        self._title.setIconSize(QSize(16, 16))
-        self._title.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
-        self._title.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
-        self._title.toggled.connect(self.set_open)
-        self._body = QWidget()
-        self._rows = QVBoxLayout(self._body)
-        self._rows.setContentsMargins(2, 0, 0, 6)
-        self._rows.setSpacing(5)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.setSpacing(2)
-        layout.addWidget(self._title)
-        layout.addWidget(self._body)
-        self.set_open(True)
-
-    def add(self, row: FieldRow) -> None:
-        """Append a row."""
-        self._rows.addWidget(row)
-
-    def place_on_top(self, widget: QWidget) -> None:
-        """Put something above the rows."""
-        self._rows.insertWidget(0, widget)
-
-    def set_open(self, opened: bool) -> None:
-        """Unfold or fold."""
-        self._title.setChecked(opened)
-        set_icon(self._title, "chevron-down" if opened else "chevron-right")
-        self._body.setVisible(opened)
-
-
-def tooltip(spec: FieldSpec) -> str:
-    """What a parameter is, its symbol, where it enters the equations, its range."""
-    head = f"<b>{escape(spec.title)}</b>" + (f" &nbsp;<i>{subscripts(spec.symbol)}</i>" if spec.symbol else "")
-    lines = [f"<p>{head}</p>", f"<p>{escape(spec.description)}</p>"]
-    if spec.equation:
-        lines.append(f"<p>{subscripts(spec.equation)}</p>")
-    if spec.choices:
-        lines.append(f"<p>One of: {escape(', '.join(choice_title(choice) for choice in spec.choices))}.</p>")
-    limits = limits_text(spec)
-    if limits:
-        lines.append(f"<p>Range: {escape(limits)}</p>")
-    if spec.optional:
-        lines.append("<p>Leave it empty to use the derived value shown in grey.</p>")
-    return "".join(lines)
-
-
-def limits_text(spec: FieldSpec) -> str:
-    """The range of a number in words: ``5 to 200``, ``at least 0 mm``."""
-    unit = spec.unit if spec.unit in ("", "°") else f" {spec.unit}"
-    low, high = spec.minimum, spec.maximum
-    if low is not None and high is not None:
-        return f"{number_text(low)} to {number_text(high)}{unit}"
-    if low is not None:
-        return f"at least {number_text(low)}{unit}"
-    return f"at most {number_text(high)}{unit}" if high is not None else ""
 
 
 def _message_label() -> QLabel:

@@ -22,6 +22,7 @@ from ui.solid_panel import SolidPanel
 from ui.status import Status
 from ui.theme import HERE, refresh_icons
 from ui.view_area import ViewArea
+from ui.wheel_guard import guard_wheel
 
 LAYOUT_VERSION = 3
 ROOMY_WIDTH = 1500
@@ -78,6 +79,7 @@ class MainWindow(QMainWindow):
         self._make_toolbar()
         self._make_docks()
         self.setMinimumSize(960, 600)
+        guard_wheel()
 
     @property
     def settings(self) -> QSettings | None:
@@ -97,6 +99,7 @@ class MainWindow(QMainWindow):
     def refresh_theme(self) -> None:
         """Draw icons anew after the colours have changed."""
         self.commands.refresh_icons()
+        self.form.refresh_icons()
         self.messages.refresh_icons()
         refresh_icons(self)
         self.table.refresh()

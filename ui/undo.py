@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 Draft = Mapping[str, Any]
@@ -12,15 +12,16 @@ LIMIT = 500
 
 @dataclass(frozen=True)
 class Step:
-    """One edit: what it is called, the draft before it and after it."""
+    """One edit: what it is called, the draft before it and after it, and what it is typed in."""
 
     label: str
     before: Draft
     after: Draft
+    thread: str = ""
 
 
 class History:
-    """Past and undone edits; typing on in the same field is one step."""
+    """Past and undone edits."""
 
     def __init__(self) -> None:
         self._past: list[Step] = []
@@ -36,16 +37,26 @@ class History:
         """What would be done again; empty when nothing can."""
         return self._future[-1].label if self._future else ""
 
-    def record(self, label: str, before: Draft, after: Draft) -> None:
-        """Remember an edit that has happened."""
+    def record(self, label: str, before: Draft, after: Draft, thread: str = "") -> None:
+        """Remember an edit that has happened.
+
+        Edits of one thread (a field that is being typed in) that follow each other make one step, named after the
+        last; :meth:`seal` ends it. Back at the start there is no step.
+        """
         if before == after:
             return
         self._future.clear()
-        if self._past and self._past[-1].label == label and self._past[-1].after == before:
+        last = self._past[-1] if self._past else None
+        if last is not None and thread and last.thread == thread and last.after == before:
             before = self._past.pop().before
         if before != after:
-            self._past.append(Step(label, dict(before), dict(after)))
+            self._past.append(Step(label, dict(before), dict(after), thread))
             del self._past[:-LIMIT]
+
+    def seal(self) -> None:
+        """What comes next is a step of its own."""
+        if self._past:
+            self._past[-1] = replace(self._past[-1], thread="")
 
     def undo(self) -> Draft | None:
         """The draft before the last edit, or None."""

@@ -13,7 +13,7 @@ from PySide6.QtWidgets import QApplication
 from gearstudio.design import field_specs
 from tests.ui.stand_ins import Bench
 from ui.fields import ChoiceField, NumberField
-from ui.form_rows import limits_text, tooltip
+from ui.explain import limits_text, tooltip
 
 pytestmark = pytest.mark.ui
 NUMBERS = [spec for spec in field_specs() if spec.kind in ("int", "float")]

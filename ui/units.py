@@ -1,0 +1,93 @@
+"""Lengths and angles as the user wants to see them; the one place where the window converts millimetres.
+
+The design, its file and every computation stay in millimetres and degrees; only what is shown and typed is converted.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Literal
+
+from ui.formatting import fixed, number_text
+
+LengthUnit = Literal["mm", "in"]
+MM_PER_INCH = 25.4
+AUTOMATIC = 0
+INCH_EXTRA = 2
+"""Further decimals in inches: an inch has 25 times as much in a digit."""
+
+
+@dataclass(frozen=True)
+class Display:
+    """How numbers are shown.
+
+    Attributes
+    ----------
+    length : {"mm", "in"}
+    decimals : int
+        Of a length in mm and of an angle in degrees; `AUTOMATIC` leaves it to each place, in inches two more.
+    """
+
+    length: LengthUnit = "mm"
+    decimals: int = AUTOMATIC
+
+
+_shown = Display()
+
+
+def display() -> Display:
+    """How numbers are shown now."""
+    return _shown
+
+
+def use(shown: Display) -> None:
+    """Show numbers in this way from now on; what is on the screen must be shown again."""
+    global _shown
+    _shown = replace(shown)
+
+
+def factor(unit: str) -> float:
+    """What a value in a unit of the design is divided by to be shown: 25.4 for mm shown in inches, else 1."""
+    return MM_PER_INCH if unit == "mm" and _shown.length == "in" else 1.0
+
+
+def unit_shown(unit: str) -> str:
+    """The unit in which a quantity of the design is shown."""
+    return _shown.length if unit == "mm" else unit
+
+
+def to_shown(value: float, unit: str) -> float:
+    """A value of the design in the unit shown; a value that needs no conversion stays what it is."""
+    scale = factor(unit)
+    return value if scale == 1 else float(f"{value / scale:.12g}")
+
+
+def from_shown(value: float, unit: str) -> float:
+    """A value in the unit shown back in the design's unit, to twelve digits, so that 0.25 in is 6.35 mm."""
+    scale = factor(unit)
+    return value if scale == 1 else float(f"{value * scale:.12g}")
+
+
+def shown_text(value: float, unit: str) -> str:
+    """A value of the design as the user would type it, in the unit shown, without the unit."""
+    return number_text(to_shown(value, unit))
+
+
+def value_text(value: float, unit: str, decimals: int = 3) -> str:
+    """A value of the design for reading, without the unit: ``12.500``.
+
+    `decimals` holds where the user left it automatic.
+    """
+    chosen = decimals if _shown.decimals == AUTOMATIC or unit not in ("mm", "°") else _shown.decimals
+    return fixed(value / factor(unit), chosen + (INCH_EXTRA if factor(unit) != 1 else 0))
+
+
+def with_unit(value: float, unit: str, decimals: int = 3) -> str:
+    """A value of the design for reading, with the unit: ``12.500 mm``, ``35.000°``."""
+    return f"{value_text(value, unit, decimals)}{spaced(unit)}"
+
+
+def spaced(unit: str) -> str:
+    """The unit shown with the space that goes before it."""
+    shown = unit_shown(unit)
+    return shown if shown in ("", "°") else f" {shown}"
