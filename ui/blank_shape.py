@@ -14,7 +14,10 @@ from numpy.typing import NDArray
 from gearstudio.theory.blank import BlankSizes, blank_outline
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from gearstudio.design import Design
+    from gearstudio.theory.chamfer import EndChamfer
     from gearstudio.theory.cones import ConeLimit, MemberGeometry
 
 Floats = NDArray[np.float64]
@@ -87,11 +90,15 @@ def blank_shape(design: Design, member: MemberGeometry) -> BlankShape:
     roots, tips = (_element(member, limit) for limit in (member.root_limit, member.tip_limit))
     heel_foot = _end(member, 1.0, body[0], roots[1])
     toe_foot = _end(member, 0.0, roots[0], body[-1])
-    tooth = np.concatenate([_end(member, 1.0, roots[1], tips[1]), _end(member, 0.0, tips[0], roots[0])])
+    (toe_top, *toe_edge), (heel_top, *heel_edge) = _tops(outline.chamfers, tips)
+    tooth = np.concatenate(
+        [_end(member, 1.0, roots[1], heel_top), *heel_edge, *toe_edge, _end(member, 0.0, toe_top, roots[0])]
+    )
     pitch = _element(member, None)
     metal = np.concatenate([body, toe_foot[::-1][1:], heel_foot[::-1][:-1]])
     angles = (("δ_a", member.tip_angle), ("δ", member.pitch_angle), ("δ_f", member.root_angle))
     notes = tuple(f"{name} {np.degrees(angle):.2f}°" for name, angle in angles)
+    notes += tuple(f"c {_mm(outline.sizes.end_chamfer)}" for _ in outline.chamfers[:1])
     line = np.array([[0.0, 0.0], pitch[1]])
     return BlankShape(metal, tooth, line, _dimensions(member, outline.sizes, tips, pitch), notes)
 
@@ -102,6 +109,14 @@ def _element(member: MemberGeometry, limit: ConeLimit | None) -> Floats:
     angle = np.full(2, member.pitch_angle) if limit is None else member.limit_angle(limit, rho_u)
     rho = member.cone_distance(rho_u, angle)
     return np.stack([rho * np.cos(angle), rho * np.sin(angle)], axis=-1)
+
+
+def _tops(chamfers: Sequence[EndChamfer], tips: Floats) -> list[list[Floats]]:
+    """Where toe and heel end below the tip (height, radius), and the other edge of a chamfer there, shape (1, 2)."""
+    tops = [[tip] for tip in tips]
+    for chamfer in chamfers:
+        tops[chamfer.end] = [np.array(chamfer.foot[::-1]), np.array([chamfer.face[::-1]])]
+    return tops
 
 
 def _end(member: MemberGeometry, v: float, start: Floats, end: Floats) -> Floats:

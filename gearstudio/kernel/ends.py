@@ -184,7 +184,7 @@ def _within(span: tuple[float, float], knots: Floats) -> Floats:
     places = np.sort(knots)
     inside = places[np.diff(places, prepend=-np.inf) > _SAME_KNOT]
     slack = _SAME_KNOT * (1 + span[1] - span[0])
-    return np.r_[span[0], inside[(inside > span[0] + slack) & (inside < span[1] - slack)], span[1]]
+    return np.asarray(np.r_[span[0], inside[(inside > span[0] + slack) & (inside < span[1] - slack)], span[1]])
 
 
 def fitted_curve(values: Along, knots: Floats, goal: float) -> tuple[BSpline, float]:

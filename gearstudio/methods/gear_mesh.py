@@ -132,7 +132,7 @@ def _group(kind: str, side: int, hand: int) -> str:
 
 
 def _count(surface: NurbsSurface, axis: int, goal: float, angle: float) -> int:
-    """Even steps along one parameter that keep chords within a goal, whose error falls with the square, and an angle."""
+    """Even steps along one parameter whose chords keep to a goal, their error falling with the square, and an angle."""
     fine = np.linspace(0.0, 1.0, 2 * _FIRST * _FINE + 1)
     coarse = np.linspace(0.0, 1.0, 9)
     points = surface.grid(fine, coarse) if axis == 0 else np.swapaxes(surface.grid(coarse, fine), 0, 1)
