@@ -126,7 +126,8 @@ class Builds(QObject):
         key = self._key(job)
         if key is None:
             solid = f"Building the {getattr(job, 'member', 'gear')} as a solid"
-            self.work_changed.emit(solid if job.purpose == "solid" else f"Exporting {job.label}", fraction)
+            text = {"solid": solid, "export": f"Exporting {job.label}"}.get(job.purpose, job.label.capitalize())
+            self.work_changed.emit(text, fraction)
             return
         done = self._requested - len(self._awaited)
         text = f"Building {METHOD_TITLES[key.method]}, {VARIANT_TITLES[key.variant].lower()}"

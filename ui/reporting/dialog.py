@@ -1,0 +1,188 @@
+"""What goes into the report, what it will look like, and where it is saved."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QSettings, Qt, Signal
+from PySide6.QtWidgets import (
+    QCheckBox,
+    QComboBox,
+    QDialog,
+    QDialogButtonBox,
+    QFileDialog,
+    QFormLayout,
+    QHBoxLayout,
+    QLabel,
+    QProgressBar,
+    QPushButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from gearstudio.catalogue import MEMBERS
+from gearstudio.report.sections import SECTION_KEYS, SECTIONS
+from ui.reporting.pages_view import PagesView
+from ui.words import tr
+
+if TYPE_CHECKING:
+    from gearstudio.report.job import Reported
+
+_SIZE = (1040, 660)
+_SETTINGS = "report"
+
+
+class ReportDialog(QDialog):
+    """Chooses sections, shows the pages, saves the PDF; the work itself is its owner's.
+
+    Signals
+    -------
+    wanted(object, str)
+        Sections and the member whose maps are drawn: make the report.
+    cancelled()
+        Stop making it.
+    saved(object, object)
+        A path and the PDF to write there.
+    """
+
+    wanted = Signal(object, str)
+    cancelled = Signal()
+    saved = Signal(object, object)
+
+    def __init__(self, name: str, member: str, folder: str, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setWindowTitle(tr("Report"))
+        self.setWindowFlag(Qt.WindowType.WindowMaximizeButtonHint)
+        self.resize(*_SIZE)
+        self._name, self._folder = name, folder
+        self._made: Reported | None = None
+        self._boxes = self._section_boxes()
+        self.member = QComboBox()
+        self.member.setAccessibleName(tr("Maps and charts of"))
+        for one in MEMBERS:
+            self.member.addItem(tr(one.capitalize()), one)
+        self.member.setCurrentIndex(MEMBERS.index(member) if member in MEMBERS else 0)
+        self.pages = PagesView()
+        self.progress = QProgressBar()
+        self.progress.setTextVisible(False)
+        self.progress.setRange(0, 100)
+        self.stage = QLabel()
+        self.stage.setProperty("role", "muted")
+        self.make = QPushButton(tr("&Update preview"))
+        self.make.setToolTip(tr("Compute the report of the design as it is now"))
+        self.stop = QPushButton(tr("&Stop"))
+        self.stop.setToolTip(tr("Stop making the report"))
+        self.buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
+        self.save = self.buttons.addButton(tr("&Save PDF…"), QDialogButtonBox.ButtonRole.AcceptRole)
+        self.save.setEnabled(False)
+        self.make.clicked.connect(self._make)
+        self.stop.clicked.connect(self.cancelled)
+        self.save.clicked.connect(self._save)
+        self.buttons.rejected.connect(self.reject)
+        self._lay_out()
+        self._restore()
+        self._rest(tr("Choose what goes in, then Update preview."))
+
+    @property
+    def sections(self) -> tuple[str, ...]:
+        """Keys of the ticked sections, in the order of the report."""
+        return tuple(key for key in SECTION_KEYS if self._boxes[key].isChecked())
+
+    def show_progress(self, stage: str, fraction: float) -> None:
+        """The report is being made."""
+        self.stage.setText(stage[:1].upper() + stage[1:])
+        self.progress.setValue(round(100 * fraction))
+        self._busy(True)
+
+    def show_report(self, made: Reported) -> None:
+        """The report is there."""
+        self._made = made
+        self.pages.show_pages(made.pages)
+        self.stage.setText(tr("{count} pages, {size:.1f} MB", count=len(made.pages), size=len(made.pdf) / 1e6))
+        self._busy(False)
+
+    def show_failure(self, text: str) -> None:
+        """The report could not be made; the last one stays."""
+        if self._made is None:
+            self.pages.say(text)
+        self.stage.setText(text)
+        self._busy(False)
+
+    def reject(self) -> None:
+        """Closing stops what is being made."""
+        if self.progress.isVisible():
+            self.cancelled.emit()
+        self._remember()
+        super().reject()
+
+    def _section_boxes(self) -> dict[str, QCheckBox]:
+        boxes = {}
+        for section in SECTIONS:
+            box = QCheckBox(tr(section.title))
+            box.setToolTip(tr(section.summary))
+            box.toggled.connect(self._on_toggled)
+            boxes[section.key] = box
+        return boxes
+
+    def _lay_out(self) -> None:
+        choices = QVBoxLayout()
+        heading = QLabel(tr("Sections"))
+        heading.setProperty("role", "heading")
+        choices.addWidget(heading)
+        for box in self._boxes.values():
+            choices.addWidget(box)
+        form = QFormLayout()
+        form.addRow(tr("Maps and charts of"), self.member)
+        choices.addSpacing(8)
+        choices.addLayout(form)
+        choices.addSpacing(8)
+        choices.addWidget(self.make)
+        choices.addWidget(self.stop)
+        choices.addStretch(1)
+        top = QHBoxLayout()
+        top.addLayout(choices)
+        top.addWidget(self.pages, 1)
+        bottom = QHBoxLayout()
+        bottom.addWidget(self.stage, 1)
+        bottom.addWidget(self.progress)
+        bottom.addWidget(self.buttons)
+        column = QVBoxLayout(self)
+        column.addLayout(top, 1)
+        column.addLayout(bottom)
+
+    def _rest(self, text: str) -> None:
+        self.pages.say(text)
+        self._busy(False)
+
+    def _busy(self, busy: bool) -> None:
+        self.progress.setVisible(busy)
+        self.stop.setEnabled(busy)
+        self.make.setEnabled(not busy and bool(self.sections))
+        self.save.setEnabled(not busy and self._made is not None)
+
+    def _on_toggled(self) -> None:
+        if hasattr(self, "progress"):
+            self.make.setEnabled(bool(self.sections) and not self.progress.isVisible())
+
+    def _make(self) -> None:
+        self._remember()
+        self.wanted.emit(self.sections, self.member.currentData())
+
+    def _save(self) -> None:
+        if self._made is None:
+            return
+        start = str(Path(self._folder) / f"{self._name}.pdf")
+        name, _ = QFileDialog.getSaveFileName(self, tr("Save the report"), start, tr("PDF files (*.pdf)"))
+        if name:
+            path = Path(name if name.lower().endswith(".pdf") else f"{name}.pdf")
+            self.saved.emit(path, self._made.pdf)
+
+    def _restore(self) -> None:
+        last = QSettings().value(f"{_SETTINGS}/sections")
+        chosen = str(last).split(",") if last else SECTION_KEYS
+        for key, box in self._boxes.items():
+            box.setChecked(key in chosen)
+
+    def _remember(self) -> None:
+        QSettings().setValue(f"{_SETTINGS}/sections", ",".join(self.sections))

@@ -1,0 +1,122 @@
+"""Makes reports for the window: opens the dialog, has the CAD process do the work, writes the file."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from PySide6.QtCore import QBuffer, QObject
+from PySide6.QtGui import QImage
+
+from gearstudio.errors import FileError
+from ui.reporting.dialog import ReportDialog
+from ui.words import tr
+
+if TYPE_CHECKING:
+    from gearstudio.jobs import Job
+    from gearstudio.report.job import ReportJob
+    from ui.main_window import MainWindow
+    from ui.runner import JobRunner
+    from ui.session import Session
+
+_PREVIEW_DPI = 80
+
+
+class Reporting(QObject):
+    """The report of a session's design."""
+
+    def __init__(self, session: Session, window: MainWindow, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._session, self._window = session, window
+        self._runner: JobRunner | None = None
+        self._job: ReportJob | None = None
+        self.dialog: ReportDialog | None = None
+
+    def use_runner(self, runner: JobRunner) -> None:
+        """Work through this runner from now on."""
+        self._runner = runner
+        runner.job_progressed.connect(self._on_progressed)
+        runner.job_done.connect(self._on_done)
+        runner.job_failed.connect(self._on_failed)
+        runner.job_cancelled.connect(self._on_cancelled)
+
+    def open(self) -> None:
+        """Show the dialog."""
+        if self.dialog is None:
+            folder = str(self._session.path.parent) if self._session.path is not None else str(Path.home())
+            self.dialog = ReportDialog(
+                self._session.design.name or "report", self._session.member, folder, self._window
+            )
+            self.dialog.wanted.connect(self.make)
+            self.dialog.cancelled.connect(self._cancel)
+            self.dialog.saved.connect(self._save)
+            self.dialog.finished.connect(self._on_closed)
+        self.dialog.show()
+        self.dialog.raise_()
+
+    def make(self, sections: tuple[str, ...], member: Any) -> None:
+        """Have the report of the design as it is now made."""
+        if self._runner is None or self.dialog is None:
+            return
+        from gearstudio.report.job import ReportJob
+
+        pictures = self._pictures() if "pictures" in sections else ()
+        self._job = ReportJob(self._session.design, sections, member, pictures, _PREVIEW_DPI)
+        self.dialog.show_progress(tr("waiting for the CAD process"), 0.0)
+        self._runner.submit((self._job,))
+
+    def _pictures(self) -> tuple[tuple[str, bytes], ...]:
+        grid = self._window.area.grid
+        return (("views", png(grid.screenshot())),) if grid is not None and grid.isVisible() else ()
+
+    def _cancel(self) -> None:
+        if self._runner is not None and self._job is not None:
+            self._runner.cancel()
+
+    def _save(self, path: Path, pdf: bytes) -> None:
+        from gearstudio.files import write_bytes
+
+        messages = self._window.messages
+        try:
+            write_bytes(path, pdf)
+        except FileError as error:
+            if self.dialog is not None:
+                self.dialog.show_failure(str(error))
+            return
+        messages.show_message(
+            "info", tr("Wrote {name} to {folder}", name=path.name, folder=path.parent), topic="report"
+        )
+        if self.dialog is not None:
+            self.dialog.stage.setText(tr("Saved {path}", path=path))
+
+    def _on_progressed(self, job: Job, stage: str, fraction: float) -> None:
+        if job is self._job and self.dialog is not None:
+            self.dialog.show_progress(stage, fraction)
+
+    def _on_done(self, job: Job, result: Any) -> None:
+        if job is self._job and self.dialog is not None:
+            self._job = None
+            self.dialog.show_report(result)
+
+    def _on_failed(self, job: Job, text: str, _details: str) -> None:
+        if job is self._job and self.dialog is not None:
+            self._job = None
+            self.dialog.show_failure(tr("The report could not be made: {reason}", reason=text))
+
+    def _on_cancelled(self, job: Job) -> None:
+        if job is self._job and self.dialog is not None:
+            self._job = None
+            self.dialog.show_failure(tr("Stopped"))
+
+    def _on_closed(self) -> None:
+        if self.dialog is not None:
+            self.dialog.deleteLater()
+        self.dialog = None
+
+
+def png(image: QImage) -> bytes:
+    """A picture as PNG."""
+    buffer = QBuffer()
+    buffer.open(QBuffer.OpenModeFlag.WriteOnly)
+    image.save(buffer, "PNG")  # type: ignore[call-overload]
+    return bytes(buffer.data().data())
