@@ -116,7 +116,7 @@ class SampleJob(Job):
 
     @property
     def label(self) -> str:
-        return f"{self.member}, {Path(self.path).name}"
+        return f"taking points of {Path(self.path).name}"
 
     def run(self, report: Report) -> SampledModel:
         from gearstudio.exchange.measured_step import sample_step

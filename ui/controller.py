@@ -72,6 +72,7 @@ class Controller(QObject):
         runner.worker_state_changed.connect(self._on_worker_state_changed)
         self.builds.use(runner)
         self.solid_mode.use_runner(runner)
+        self.analysis.use_runner(runner)
         runner.start()
         self.builds.build_missing()
 

@@ -10,7 +10,9 @@ import pytest
 from gearstudio.design import Design
 from gearstudio.theory.cones import pair_geometry
 from gearstudio.theory.flank import FLANKS, involute_flank
-from ui.analysis.measurement_view import measured, pitch_chart, points_table, teeth, topography
+from ui.analysis.measured_scene import measured_layers
+from ui.analysis.measurement_data import Source, measured
+from ui.analysis.measurement_view import pitch_chart, points_table, topography
 from ui.session import Session
 
 pytestmark = pytest.mark.ui
@@ -60,7 +62,7 @@ def settle(page, qtbot) -> None:
 
 
 def cells(page) -> dict[str, list[str]]:
-    table = page.table.table
+    table = page.panel.table.table
     rows = [[table.item(r, c).text() if table.item(r, c) else "" for c in range(3)] for r in range(table.rowCount())]
     return {name: values for name, *values in rows}
 
@@ -83,7 +85,7 @@ def test_the_best_fit_can_be_switched_off(page, qtbot, file: Path) -> None:
     page.open_path(file)
     settle(page, qtbot)
     assert float(np.degrees(page.measurement.result.pose.turn)) == pytest.approx(np.degrees(0.002), abs=5e-3)
-    page.turn.setChecked(False)
+    page.panel.turn.setChecked(False)
     settle(page, qtbot)
     assert page.measurement.result.pose.turn == 0
     assert page.measurement.result.statistics.max_um > 50
@@ -100,11 +102,11 @@ def test_points_that_cannot_be_used_are_told_with_the_reason(page, qtbot, tmp_pa
         np.savetxt(tmp_path / name, table, delimiter=",")
         page.open_path(tmp_path / name)
         settle(page, qtbot)
-        assert words in page.file.text(), name
-        assert page.measurement is None and page.table.isHidden() and not page.bars.data.maps
+        assert words in page.panel.file.text(), name
+        assert page.measurement is None and page.panel.table.isHidden() and not page.bars.data.maps
     page.open_path(tmp_path / "missing.csv")
     settle(page, qtbot)
-    assert "missing.csv" in page.file.text()
+    assert "missing.csv" in page.panel.file.text()
 
 
 def test_another_member_is_measured_anew(page, qtbot, file: Path) -> None:
@@ -113,7 +115,7 @@ def test_another_member_is_measured_anew(page, qtbot, file: Path) -> None:
     page.session.select(member="pinion")
     page.show_session(page.session)
     settle(page, qtbot)
-    assert "they fit the wheel" in page.file.text()
+    assert "they fit the wheel" in page.panel.file.text()
     page.session.select(member="wheel")
     page.show_session(page.session)
     settle(page, qtbot)
@@ -129,8 +131,8 @@ def test_the_nominal_grid_reads_back(page, qtbot, tmp_path: Path) -> None:
 
 
 def test_bars_stand_on_the_measured_grid(file: Path) -> None:
-    done = measured(PAIR, "wheel", file, None, (True, True), lambda stage, part: None)
-    assert teeth(done) == [0, 1, 2, 3]
+    done = measured(PAIR, "wheel", Source(file), (True, True), lambda stage, part: None)
+    assert done.teeth == (0, 1, 2, 3)
     data, largest = topography(done, 1)
     assert 1.0 < largest <= 6.0
     net, tips, added, missing = data.maps[0].lines
@@ -140,12 +142,74 @@ def test_bars_stand_on_the_measured_grid(file: Path) -> None:
     assert lengths.max() == pytest.approx(data.maps[0].reach, rel=0.2)
     assert len(points_table(done.result).rows) == 360 == len(data.table().rows)
     assert len(pitch_chart(done).series) == 4
+    nets, dots = measured_layers(done, 1)
+    assert len(dots.points) == 90 and np.abs(dots.scalars).max() == pytest.approx(largest)
+    assert len(nets.points) == 90 and len(nets.cells) == 2 * 2 * 4 * 8
+    radial = np.hypot(nets.points[:, 0], nets.points[:, 1])
+    assert radial.min() > 0 and np.allclose(np.linalg.norm(nets.normals, axis=1), 1)
+    assert len(measured_layers(done)[1].points) == 360
 
 
 def test_scattered_points_and_one_flank_are_drawn_too(tmp_path: Path) -> None:
     flank, random = involute_flank(PAIR.wheel, "convex"), np.random.default_rng(2)
     np.savetxt(tmp_path / "s.dat", flank.points(*random.uniform(0.02, 0.98, (2, 2000))))
-    done = measured(PAIR, "wheel", tmp_path / "s.dat", None, (True, True), lambda stage, part: None)
+    done = measured(PAIR, "wheel", Source(tmp_path / "s.dat"), (True, True), lambda stage, part: None)
     data, _ = topography(done)
     concave, convex = data.maps
     assert concave.title.endswith("not measured") and len(convex.lines[0].points) > 100
+
+
+def test_a_measurement_can_be_cancelled(page, qtbot, tmp_path: Path) -> None:
+    table = np.tile(points(4), (200, 1))
+    np.savetxt(tmp_path / "many.csv", table, delimiter=",", fmt="%.6f")
+    page.open_path(tmp_path / "many.csv")
+    qtbot.waitUntil(lambda: page.panel.progress.value() > 0, timeout=20_000)
+    assert page.panel.stop.isVisible()
+    page.panel.stop.click()
+    settle(page, qtbot)
+    assert "cancelled" in page.panel.file.text() and page.measurement is None
+    assert not page.panel.progress.isVisible() and not page.panel.stop.isVisible()
+    page.open_path(tmp_path / "many.csv")
+    settle(page, qtbot)
+    assert cells(page)["Points"][0] == str(len(table))
+
+
+def test_points_of_a_model_are_taken_by_the_cad_process(qtbot, theme, tmp_path: Path) -> None:
+    from gearstudio.analysis.measurement import MeasuredPoints
+    from gearstudio.exchange.measured import MODEL_SUFFIXES
+    from tests.ui.stand_ins import FakeRunner
+    from ui.analysis.cad_jobs import CadJobs
+    from ui.analysis.measurement_page import MeasurementPage
+
+    class Model:
+        points, shift, flank_faces, faces = MeasuredPoints(points(3) + np.array([0, 0, 30.0])), 30.0, 6, 20
+
+    runner, jobs = FakeRunner(), CadJobs()
+    page, session = MeasurementPage(jobs), Session()
+    qtbot.addWidget(page)
+    page.show()
+    session.load(Design())
+    page.show_session(session)
+    page.open_path(tmp_path / f"wheel{MODEL_SUFFIXES[0]}")
+    assert not runner.requests, "there is no CAD process yet"
+    jobs.use_runner(runner)
+    (job,) = runner.jobs
+    assert job.purpose == "sample" and job.member == "wheel"
+    assert page.panel.density.isVisible() and page.panel.stop.isVisible()
+    runner.job_progressed.emit(job, "reading", 0.5)
+    assert 0 < page.panel.progress.value() < 500
+    runner.job_done.emit(job, Model)
+    settle(page, qtbot)
+    assert cells(page)["Points"][0] == "270" and "6 flank faces of 20" in page.panel.file.text()
+    assert page.measurement.result.pose.shift == pytest.approx(30.0, abs=0.01)
+    page.panel.density.setCurrentIndex(2)
+    page.panel.density.activated.emit(2)
+    assert runner.jobs[0].spacing < job.spacing
+    runner.job_failed.emit(runner.jobs[0], "none of the 20 faces is a flank of this wheel", "")
+    assert "none of the 20" in page.panel.file.text() and not page.busy
+    page.open_path(tmp_path / "a.step")
+    page.panel.stop.click()
+    assert runner.calls == ["cancel"]
+    runner.job_cancelled.emit(runner.jobs[0])
+    assert "cancelled" in page.panel.file.text() and not page.busy
+    page.close_page()

@@ -20,6 +20,10 @@ SWITCH_S = 0.0005
 log = logging.getLogger(__name__)
 
 
+class StoppedError(GearStudioError):
+    """The user has ended the work."""
+
+
 class Newest(QObject):
     """Runs requests one at a time; a new one replaces the one that waits.
 
@@ -31,12 +35,15 @@ class Newest(QObject):
         The request's label and its result.
     failed(object, str, str)
         Label, a line for the user, and the traceback (empty for what was to be expected).
+    stopped(object)
+        Label of a request that `cancel` ended.
     idle()
         Nothing is left to do.
     """
 
     done = Signal(object, object)
     failed = Signal(object, str, str)
+    stopped = Signal(object)
     idle = Signal()
 
     def __init__(self, name: str, parent: QObject | None = None) -> None:
@@ -45,7 +52,7 @@ class Newest(QObject):
         self._changed = threading.Condition()
         self._waiting: tuple[object, Work] | None = None
         self._thread: threading.Thread | None = None
-        self._closed = self._running = False
+        self._closed = self._running = self._unwanted = False
 
     @property
     def busy(self) -> bool:
@@ -65,6 +72,16 @@ class Newest(QObject):
                 self._thread.start()
             self._changed.notify()
 
+    def cancel(self) -> None:
+        """Forget what waits, and end what is being done when it next asks `go_on`."""
+        with self._changed:
+            self._waiting, self._unwanted = None, self._running
+
+    def go_on(self) -> None:
+        """For the work to ask now and then: raises StoppedError once it is not wanted any more."""
+        if self._unwanted or self._closed:
+            raise StoppedError("cancelled")
+
     def close(self) -> None:
         """Take no more, and wait for what is being done, but not for long: it can do no more harm."""
         with self._changed:
@@ -80,6 +97,7 @@ class Newest(QObject):
                 if self._waiting is None:
                     return
                 (label, work), self._waiting, self._running = self._waiting, None, True
+                self._unwanted = False
             self._do(label, work)
             with self._changed:
                 self._running = False
@@ -91,6 +109,8 @@ class Newest(QObject):
     def _do(self, label: object, work: Work) -> None:
         try:
             result = work()
+        except StoppedError:
+            self._tell(self.stopped, label)
         except GearStudioError as error:
             self._tell(self.failed, label, str(error), "")
         except Exception as error:

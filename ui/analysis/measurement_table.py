@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QVBoxLayout, QWidget
 from ui.analysis.sheet_table import LEFT, RIGHT, add_heading, cell, quiet_table
 
 if TYPE_CHECKING:
-    from ui.analysis.measurement_view import Measurement
+    from ui.analysis.measurement_data import Measurement
 
 HEADS = ("", "Concave", "Convex")
 

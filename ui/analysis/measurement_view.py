@@ -3,74 +3,31 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
-from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
-from gearstudio.analysis.measurement import MeasuredPoints, MeasurementResult, measure
-from gearstudio.exchange.measured import read_measured
-from gearstudio.theory.cones import MemberGeometry, PairGeometry
-from gearstudio.theory.flank import FLANKS, FlankName, involute_flank
+from gearstudio.analysis.measurement import MeasurementResult
+from gearstudio.theory.cones import MemberGeometry
+from gearstudio.theory.flank import FLANKS, FlankName
+from gearstudio.theory.modified import flank_of
+from ui.analysis.measurement_data import ALL_TEETH, Measurement
+from ui.analysis.nets import cell_means
 from ui.charts.maps import FlankMap, Line, MapData
 from ui.charts.raster import drawn_flat, frame, outline
 from ui.charts.records import Axis, ChartData, Entry, Series, Table
 from ui.formatting import fixed, micrometres
 
 Floats = NDArray[np.float64]
-CELLS = (7, 13)
-"""Points that lie on no grid are drawn as means over so many cells along the profile and the face."""
-MOST_LINES, LINE_GAP = 32, 0.02
 SHEAR, TILT, LONGEST_BAR = 0.24, 0.36, 0.2
 """How the flank is drawn, and the length of the longest bar: parts of the face width."""
-READING = 0.2
-ALL_TEETH = -1
-
-
-@dataclass(frozen=True)
-class Measurement:
-    """Points of a file and what came out of them."""
-
-    path: Path
-    chunks: tuple[MeasuredPoints, ...]
-    member: MemberGeometry
-    result: MeasurementResult
-
-
-def measured(
-    pair: PairGeometry,
-    member: str,
-    path: Path,
-    chunks: tuple[MeasuredPoints, ...] | None,
-    fit: tuple[bool, bool],
-    report: Callable[[str, float], None],
-) -> Measurement:
-    """Read a file, unless its points are given, and compare it with a member.
-
-    Raises
-    ------
-    FileError, GeometryError
-        The file cannot be used, or the points are not of this gear; with the reason.
-    """
-    if chunks is None:
-        chunks = tuple(read_measured(path, lambda part: report("reading", READING * part)))
-    result = measure(pair, member, chunks, turn=fit[0], shift=fit[1], report=report)
-    return Measurement(path, chunks, pair.member(member), result)
-
-
-def teeth(measurement: Measurement) -> list[int]:
-    """The teeth that were measured."""
-    return [int(tooth) for tooth in np.unique(measurement.result.tooth)]
 
 
 def topography(measurement: Measurement, tooth: int = ALL_TEETH) -> tuple[MapData, float]:
     """Both flanks drawn flat with a bar at each point, all to one scale; and the longest bar [µm]."""
     member, result = measurement.member, measurement.result
     chosen = np.ones(len(result.tooth), dtype=bool) if tooth == ALL_TEETH else result.tooth == tooth
-    nets = {
-        name: _nodes(member, result, chosen & (result.side == involute_flank(member, name).side)) for name in FLANKS
-    }
+    nets = {name: _nodes(member, result, chosen & (result.side == flank_of(member, name).side)) for name in FLANKS}
     largest = max(float(np.nanmax(np.abs(error), initial=0.0)) for _, error in nets.values())
     data = MapData(
         f"topography-{member.name}",
@@ -86,12 +43,12 @@ def _nodes(member: MemberGeometry, result: MeasurementResult, chosen: NDArray[np
     """Places (n, m, 2) and deviations (n, m) [µm] of the points, brought to a net."""
     face, profile = result.face_place[chosen], result.profile_place[chosen]
     x, y = _tilted(member, result.pose.undo(result.points[chosen]))
-    x, y, error = (_cell_means(values, face, profile) for values in (x, y, result.deviation_um[chosen]))
+    x, y, error = (cell_means(values, face, profile) for values in (x, y, result.deviation_um[chosen]))
     return np.stack([x, y], axis=-1), error
 
 
 def _bars(member: MemberGeometry, name: FlankName, feet: Floats, error: Floats, largest: float) -> FlankMap:
-    flank, longest = involute_flank(member, name), LONGEST_BAR * member.face_width
+    flank, longest = flank_of(member, name), LONGEST_BAR * member.face_width
     edge = outline(*_tilted(member, flank.points(*np.ix_(np.linspace(0, 1, 9), np.linspace(0, 1, 25)))))
     tips = feet + np.stack([np.zeros_like(error), error / largest * longest], axis=-1)
     strokes = np.stack([feet, tips], axis=-2)
@@ -103,28 +60,6 @@ def _bars(member: MemberGeometry, name: FlankName, feet: Floats, error: Floats, 
     )
     title = f"{name.capitalize()} flank" + ("" if np.any(np.isfinite(error)) else ": not measured")
     return FlankMap(title, np.full((2, 2), np.nan), frame(edge), edge, lines, reach=longest)
-
-
-def _cell_means(values: Floats, face: Floats, profile: Floats) -> Floats:
-    """Means over the nodes of the measured grid, or over cells where there is none; NaN where nothing is, (n, m)."""
-    row, rows = _ranks(profile, CELLS[0])
-    column, columns = _ranks(face, CELLS[1])
-    cell, size = row * columns + column, rows * columns
-    count = np.bincount(cell, minlength=size)
-    with np.errstate(invalid="ignore"):
-        return (np.bincount(cell, weights=values, minlength=size) / count).reshape(rows, columns)
-
-
-def _ranks(places: Floats, cells: int) -> tuple[NDArray[np.int_], int]:
-    """Which line of a measured grid each place is on, and how many there are; even cells where there are no lines."""
-    if not places.size:
-        return np.zeros(0, dtype=int), 1
-    order = np.sort(places)
-    ends = np.concatenate([[-np.inf], (order[:-1] + order[1:])[np.diff(order) > LINE_GAP] / 2])
-    line = np.searchsorted(ends, places) - 1
-    if len(ends) <= MOST_LINES and max(np.ptp(places[line == one]) for one in range(len(ends))) <= LINE_GAP:
-        return line, len(ends)
-    return np.clip(places * cells, 0, cells - 1).astype(int), cells
 
 
 def _net(nodes: Floats) -> Floats:
@@ -179,7 +114,7 @@ def statistics_rows(measurement: Measurement) -> list[tuple[str, str]]:
     found = result.statistics
     return [
         ("Points", f"{len(result.points)}" + (f" (+ {result.beside} beside)" if result.beside else "")),
-        ("Teeth", f"{len(teeth(measurement))} of {measurement.member.teeth}"),
+        ("Teeth", f"{len(measurement.teeth)} of {measurement.member.teeth}"),
         ("Turned by", f"{fixed(float(np.degrees(result.pose.turn)), 6)}°"),
         ("Shifted by", f"{fixed(result.pose.shift * 1e3, 3)} µm"),
         ("Max", micrometres(found.max_um)),

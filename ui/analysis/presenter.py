@@ -6,11 +6,13 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
+from ui.analysis.cad_jobs import CadJobs
 from ui.session import Session
 
 if TYPE_CHECKING:
     from ui.analysis.area import AnalysisArea
     from ui.analysis.page import Page
+    from ui.runner import JobRunner
 
 PAUSE_MS = 30
 
@@ -28,7 +30,7 @@ class AnalysisPresenter(QObject):
 
     def __init__(self, session: Session, area: AnalysisArea, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self._session, self._area = session, area
+        self._session, self._area, self._jobs = session, area, CadJobs(self)
         self._timer = QTimer(self, singleShot=True, interval=PAUSE_MS)
         self._timer.timeout.connect(self._show)
         area.page_made.connect(self._on_page_made)
@@ -38,9 +40,13 @@ class AnalysisPresenter(QObject):
 
     def use_charts(self) -> None:
         """The charts' library is loaded."""
-        from ui.analysis.pages import FACTORIES
+        from ui.analysis.pages import factories
 
-        self._area.use_factories(FACTORIES)
+        self._area.use_factories(factories(self._jobs))
+
+    def use_runner(self, runner: JobRunner) -> None:
+        """The CAD process can be started."""
+        self._jobs.use_runner(runner)
 
     def _on_page_made(self, page: Page) -> None:
         page.said.connect(self.said)
