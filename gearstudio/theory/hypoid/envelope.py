@@ -139,30 +139,41 @@ class Envelope:
             A point of the wheel's flank never touches.
         """
         w = self.wheel_point(psi, rho)
-        turn, (slope_psi, slope_rho) = self._turn(w)
-        point, normal = turned(w.point, turn), turned(w.normal, turn)
-        sliding = quarter(point) + self.ratio * cross(self.axes.pinion_axis, point - self._reach)
+        turn, slopes = self._turn(w)
+        _refuse_missed(turn)
+        point, by = self._moved(w, turn, slopes)
+        normal = turned(w.normal, turn)
+        length = np.sqrt(dot(normal, normal))[..., None]
+        outward = -normal / length
         spin = quarter(normal) + self.ratio * cross(self.axes.pinion_axis, normal)
-        wheel_turn = self._wheel_turn(turn)
-        length = np.sqrt(dot(normal, normal))
-        by = [
-            turned(d, turn) + sliding * slope[..., None] for d, slope in ((w.by_psi, slope_psi), (w.by_rho, slope_rho))
-        ]
-        outward = -normal / length[..., None]
         leaning = []
-        for d, slope in ((w.normal_by_psi, slope_psi), (w.normal_by_rho, slope_rho)):
-            change = -(turned(d, turn) + spin * slope[..., None]) / length[..., None]
+        for d, slope in zip((w.normal_by_psi, w.normal_by_rho), slopes, strict=True):
+            change = -(turned(d, turn) + spin * slope[..., None]) / length
             leaning.append(change - outward * dot(change, outward)[..., None])
         before = dot(cross(w.by_psi, w.by_rho), w.normal)
         with np.errstate(divide="ignore", invalid="ignore"):
             area = dot(cross(by[0], by[1]), normal) / before
-        own = [self._to_pinion(x, wheel_turn) for x in (point - self._reach, *by, outward, *leaning)]
+        wheel_turn = self._wheel_turn(turn)
+        own = [self._to_pinion(x, wheel_turn) for x in (point, *by, outward, *leaning)]
         return PinionPoint(own[0], own[1], own[2], own[3], own[4], own[5], area, wheel_turn)
+
+    def tangents(self, psi: ArrayLike, rho: ArrayLike) -> tuple[Floats, Floats, Floats]:
+        """Points of the pinion's flank and their derivatives by psi and rho, not a number where none touches."""
+        w = self.wheel_point(psi, rho)
+        turn, slopes = self._turn(w)
+        point, by = self._moved(w, turn, slopes)
+        wheel_turn = self._wheel_turn(turn)
+        return (
+            self._to_pinion(point, wheel_turn),
+            self._to_pinion(by[0], wheel_turn),
+            self._to_pinion(by[1], wheel_turn),
+        )
 
     def points(self, psi: ArrayLike, rho: ArrayLike) -> Floats:
         """Points alone, shape (..., 3); raises as `at`."""
         w = self.wheel_point(psi, rho)
         turn, _ = self._turn(w)
+        _refuse_missed(turn)
         return self._to_pinion(turned(w.point, turn) - self._reach, self._wheel_turn(turn))
 
     @cached_property
@@ -203,10 +214,8 @@ class Envelope:
     def _turn(self, w: WheelPoint) -> tuple[Floats, tuple[Floats, Floats]]:
         """t of the wheel's tooth at contact, and its derivatives by psi and rho."""
         a, b, c = self._coefficients(w.normal, cross(w.point, w.normal))
-        size = np.hypot(a, b)
-        if np.any(np.abs(c) > size):
-            raise GeometryError("points of the wheel's flank never touch the pinion")
-        turn = np.arctan2(b, a) + self._branch * np.arccos(-c / size)
+        with np.errstate(invalid="ignore"):
+            turn = np.arctan2(b, a) + self._branch * np.arccos(-c / np.hypot(a, b))
         turn = self._mean_turn + np.remainder(turn - self._mean_turn + np.pi, 2 * np.pi) - np.pi
         cos_t, sin_t = np.cos(turn), np.sin(turn)
         steep = b * cos_t - a * sin_t
@@ -219,9 +228,22 @@ class Envelope:
         with np.errstate(divide="ignore", invalid="ignore"):
             return turn, (slope(w.normal_by_psi, w.by_psi), slope(w.normal_by_rho, w.by_rho))
 
+    def _moved(self, w: WheelPoint, turn: Floats, slopes: tuple[Floats, Floats]) -> tuple[Floats, list[Floats]]:
+        """Points about the pinion's apex and their derivatives as the pinion sees them, in the world's directions."""
+        arm = turned(w.point, turn) - self._reach
+        sliding = quarter(arm + self._reach) + self.ratio * cross(self.axes.pinion_axis, arm)
+        return arm, [
+            turned(d, turn) + sliding * slope[..., None] for d, slope in zip((w.by_psi, w.by_rho), slopes, strict=True)
+        ]
+
     def _wheel_turn(self, turn: Floats) -> Floats:
         return np.asarray(turn - self.axes.mean_azimuth + self.side * np.pi / self.wheel.member.teeth)
 
     def _to_pinion(self, vectors: Floats, wheel_turn: Floats) -> Floats:
         own = vectors @ self.axes.pinion_frame
         return turned(own, self.ratio * wheel_turn - self.side * self.thinning)
+
+
+def _refuse_missed(turn: Floats) -> None:
+    if np.any(np.isnan(turn)):
+        raise GeometryError("points of the wheel's flank never touch the pinion")

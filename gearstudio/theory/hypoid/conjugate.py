@@ -1,0 +1,230 @@
+"""The pinion's flank conjugate to the wheel's: a flank like any other, given by the wheel's natural coordinates."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from gearstudio.theory.cones import MemberGeometry
+from gearstudio.theory.flank import FlankName, InvoluteFlank
+from gearstudio.theory.hypoid.edge import StartOfContact
+from gearstudio.theory.hypoid.envelope import Envelope
+from gearstudio.theory.hypoid.inverse import generating_point
+from gearstudio.theory.hypoid.pair import HypoidPair
+from gearstudio.theory.hypoid.vectors import dot
+
+Floats = NDArray[np.float64]
+
+_FOOT_POINT_STEPS = 8
+_FOOT_POINT_ACCURACY = 1e-12
+_STEP = 2e-3
+_BEYOND = 0.25
+
+
+@dataclass(frozen=True)
+class ConjugateFlank:
+    """A pinion flank that rolls with the wheel's without any error of transmission.
+
+    Natural coordinates are psi [rad] and rho [mm] of the wheel's point that generates it. The working flank
+    reaches from the start of contact, the image of the wheel's face cone, to the pinion's face cone.
+
+    Attributes
+    ----------
+    member : MemberGeometry
+        The pinion; its base cone is that of the reference `swept`, not of this flank.
+    side : {+1, -1}
+    envelope : Envelope
+    raised : float
+        Height over the wheel's face cone of the cone whose image is the lower edge [mm]: more than 0 carries the
+        flank on below the start of contact, towards the root.
+    """
+
+    member: MemberGeometry
+    side: int
+    envelope: Envelope
+    raised: float = 0.0
+
+    @property
+    def name(self) -> FlankName:
+        """``concave`` where side equals hand (theory 4)."""
+        return "concave" if self.side == self.member.hand else "convex"
+
+    @property
+    def starts_on_base(self) -> bool:
+        """Never: the lower edge is the start of contact, where the flank is regular."""
+        return False
+
+    @property
+    def swept(self) -> InvoluteFlank:
+        """The involute flank on a base cone of its own that touches this one at the mean point."""
+        return InvoluteFlank(self.member, self.side)
+
+    def limits(self, v: ArrayLike) -> tuple[Floats, Floats]:
+        """Polar angles of start of contact and tip at places v along the face, (...) each [rad]."""
+        m = self.member
+        v = np.asarray(v, dtype=np.float64)
+        return self._start(v), m.limit_angle(m.tip_limit, self._end_distance(v))
+
+    def coordinates(self, u: ArrayLike, v: ArrayLike) -> tuple[Floats, Floats]:
+        """psi [rad] and rho [mm] of the wheel at (u, v); the polar angle is linear in u.
+
+        Raises
+        ------
+        GeometryError
+            The flank has no such point.
+        """
+        u, v = np.broadcast_arrays(np.asarray(u, dtype=np.float64), np.asarray(v, dtype=np.float64))
+        low, high = self.limits(v)
+        delta = low + u * (high - low)
+        return self._generating(self.member.cone_distance(self._end_distance(v), delta), delta)
+
+    def points(self, u: ArrayLike, v: ArrayLike) -> Floats:
+        """Points of the working flank, shape (..., 3) [mm]."""
+        return self.at(*self.coordinates(u, v))
+
+    def normals(self, u: ArrayLike, v: ArrayLike) -> Floats:
+        """Unit normals pointing out of the tooth's metal, shape (..., 3)."""
+        return self.normals_at(*self.coordinates(u, v))
+
+    def along(self, share: ArrayLike) -> Floats:
+        """Places v at which shares in [0, 1] divide the face for an interpolation, as on the wheel."""
+        wheel = self.envelope.wheel.member
+        low, high = wheel.inner_cone_distance, wheel.outer_cone_distance
+        return np.asarray((wheel.lengthwise.divided(low, high, share) - low) / (high - low))
+
+    def evenly_divided(self, n_u: int, n_v: int) -> Floats:
+        """Points of the working flank at evenly spaced polar angles and places along the face, (n_u, n_v, 3)."""
+        return self.points(np.linspace(0.0, 1.0, n_u)[:, None], np.linspace(0.0, 1.0, n_v))
+
+    def trace(self, v: ArrayLike) -> Floats:
+        """Points where the flank meets the pinion's pitch cone, shape (..., 3)."""
+        rho = self._end_distance(np.asarray(v, dtype=np.float64))
+        return self.at(*self._generating(rho, np.full_like(rho, self.member.pitch_angle)))
+
+    def at(self, psi: ArrayLike, rho: ArrayLike, /) -> Floats:
+        """Points at natural coordinates, shape (..., 3)."""
+        return self.envelope.points(psi, rho)
+
+    def normals_at(self, psi: ArrayLike, rho: ArrayLike, /) -> Floats:
+        """Unit normals out of the metal at natural coordinates, shape (..., 3)."""
+        return self.envelope.at(psi, rho).normal
+
+    def derivatives_at(self, psi: ArrayLike, rho: ArrayLike, /) -> tuple[Floats, Floats, Floats, Floats, Floats]:
+        """First and second derivatives by the natural coordinates, shape (..., 3) each.
+
+        The first are in closed form; the second are differences of fourth order of them.
+        """
+        psi, rho = np.broadcast_arrays(np.asarray(psi, dtype=np.float64), np.asarray(rho, dtype=np.float64))
+        _, first, second = self.envelope.tangents(psi, rho)
+        length = _STEP * self.member.mean_cone_distance
+        by_psi = [self.envelope.tangents(psi + k * _STEP, rho)[1:] for k in (-2, -1, 1, 2)]
+        by_rho = [self.envelope.tangents(psi, rho + k * length)[2] for k in (-2, -1, 1, 2)]
+        return (
+            first,
+            second,
+            _difference([d[0] for d in by_psi], _STEP),
+            _difference([d[1] for d in by_psi], _STEP),
+            _difference(by_rho, length),
+        )
+
+    def curvatures_at(self, psi: ArrayLike, rho: ArrayLike, /) -> tuple[Floats, Floats]:
+        """Principal curvatures in closed form, the larger first, positive where convex [1/mm], (...) each."""
+        p = self.envelope.at(psi, rho)
+        E, F, G = dot(p.by_psi, p.by_psi), dot(p.by_psi, p.by_rho), dot(p.by_rho, p.by_rho)
+        L, N = dot(p.normal_by_psi, p.by_psi), dot(p.normal_by_rho, p.by_rho)
+        M = (dot(p.normal_by_psi, p.by_rho) + dot(p.normal_by_rho, p.by_psi)) / 2
+        square = E * G - F * F
+        mean, gaussian = (E * N - 2 * F * M + G * L) / (2 * square), (L * N - M * M) / square
+        spread = np.sqrt(np.maximum(mean**2 - gaussian, 0.0))
+        return mean + spread, mean - spread
+
+    def locate(self, points: ArrayLike) -> tuple[Floats, Floats, Floats]:
+        """Spherical coordinates rho [mm], delta_k [rad], phi [rad] about the pinion's pitch apex, (...) each."""
+        return self.swept.locate(points)
+
+    def natural(self, points: ArrayLike) -> tuple[Floats, Floats]:
+        """Natural coordinates of the flank at points on or near it; not beyond the start of contact, (...) each."""
+        rho, delta, _ = self.locate(points)
+        return self._generating(*self._within(rho, delta))
+
+    def deviation(self, points: ArrayLike) -> Floats:
+        """Signed normal distance of points from the flank, positive where metal is added.
+
+        Parameters
+        ----------
+        points : array_like, shape (..., 3)
+            Near this flank of the tooth centred at azimuth 0 [mm].
+
+        Returns
+        -------
+        ndarray, shape (...)
+            e [mm]: the foot point is iterated. Below the start of contact and far beyond the other edges the
+            flank is continued by its tangent planes.
+        """
+        points = np.asarray(points, dtype=np.float64)
+        moved, gap = points, np.zeros(points.shape[:-1])
+        for _ in range(_FOOT_POINT_STEPS):
+            rho, delta, _ = self.locate(moved)
+            p = self.envelope.at(*self._generating(*self._within(rho, delta)))
+            before, gap = gap, dot(points - p.point, p.normal)
+            if np.all(np.abs(gap - before) <= _FOOT_POINT_ACCURACY * rho):
+                break
+            moved = points - gap[..., None] * p.normal
+        return gap
+
+    def edge_deviation(self, points: Floats) -> float:
+        """Farthest that the border of a surface (n_u, n_v, 3) lies from the edges of the working flank [mm]."""
+        m = self.member
+        rho, delta, _ = self.locate(points)
+        place = (m.end_distance(rho, delta) - m.inner_cone_distance) / m.face_width
+        ends = max(np.abs(place[:, 0]).max(), np.abs(place[:, -1] - 1.0).max()) * m.face_width
+        root = np.abs(delta[0] - self.limits(place[0])[0]) * rho[0]
+        tip = np.abs(delta[-1] - self.limits(place[-1])[1]) * rho[-1]
+        return float(max(ends, root.max(), tip.max()))
+
+    @cached_property
+    def _start(self) -> StartOfContact:
+        return StartOfContact.of(self.envelope, self.member, self.raised)
+
+    def _end_distance(self, v: Floats) -> Floats:
+        return np.asarray(self.member.inner_cone_distance + v * self.member.face_width)
+
+    def _generating(self, rho: Floats, delta: Floats) -> tuple[Floats, Floats]:
+        lengthwise = self.member.lengthwise
+        return generating_point(self.envelope, rho, delta, lengthwise.mean_cone_distance, self.member.pitch_angle)
+
+    def _within(self, rho: Floats, delta: Floats) -> tuple[Floats, Floats]:
+        """The nearest place not below the start of contact and not far beyond the other edges."""
+        m = self.member
+        v = np.clip((m.end_distance(rho, delta) - m.inner_cone_distance) / m.face_width, -_BEYOND, 1 + _BEYOND)
+        low, high = self.limits(v)
+        delta = np.clip(delta, low, high + _BEYOND * (high - low))
+        return m.cone_distance(self._end_distance(v), delta), delta
+
+
+def envelope(pair: HypoidPair, side: int) -> Envelope:
+    """The envelope that the wheel's flank on a side makes of the pinion's."""
+    wheel = wheel_flank(pair, pair.flank_name("wheel", side))
+    full = np.pi / pair.given.wheel_teeth - pair.half_space_azimuth
+    generator = InvoluteFlank(replace(wheel.member, half_tooth_azimuth=full), side)
+    return Envelope(generator, pair.axes, pair.ratio, pair.half_space_azimuth, pair.ratio * pair.backlash_azimuth)
+
+
+def wheel_flank(pair: HypoidPair, name: FlankName) -> InvoluteFlank:
+    """The wheel's flank: a spherical involute on the base cone of this flank."""
+    return InvoluteFlank(pair.member("wheel", name), pair.side("wheel", name))
+
+
+def pinion_flank(pair: HypoidPair, name: FlankName, raised: float = 0.0) -> ConjugateFlank:
+    """The pinion's conjugate flank, not looked at for undercut: `undercut.sound_pinion_flank` refuses that."""
+    side = pair.side("pinion", name)
+    return ConjugateFlank(pair.member("pinion", name), side, envelope(pair, side), raised)
+
+
+def _difference(values: list[Floats], step: float) -> Floats:
+    """First derivative of fourth order from values at -2, -1, 1 and 2 steps."""
+    far, near, after, beyond = values
+    return np.asarray((8 * (after - near) - (beyond - far)) / (12 * step))

@@ -1,0 +1,69 @@
+"""Which point of the wheel generates the point of the pinion's flank at a given place of the pinion."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gearstudio.errors import GeometryError
+from gearstudio.theory.hypoid.envelope import Envelope
+from gearstudio.theory.hypoid.vectors import dot
+from gearstudio.theory.involute import roll_arc
+
+Floats = NDArray[np.float64]
+
+_STEPS = 40
+_ACCURACY = 1e-12
+_LONGEST_PSI = 0.15
+_LONGEST_SHARE = 0.15
+
+
+def generating_point(
+    envelope: Envelope, rho: Floats, delta: Floats, mean_distance: float, pitch_angle: float
+) -> tuple[Floats, Floats]:
+    """Natural coordinates psi [rad], rho_2 [mm] on the wheel of pinion points.
+
+    Parameters
+    ----------
+    envelope : Envelope
+    rho, delta : ndarray, shape (...)
+        Distance from the pinion's pitch apex [mm] and polar angle [rad].
+    mean_distance, pitch_angle : float
+        R_m1 and delta_1 of the pinion: the start mirrors the place about the mean point.
+
+    Raises
+    ------
+    GeometryError
+        The flank has no point there.
+
+    Notes
+    -----
+    Newton's method on both coordinates at once with limited steps; accurate to 1e-12 of the cone distance.
+    """
+    rho, delta = np.broadcast_arrays(rho, delta)
+    member = envelope.wheel.member
+    near, far = member.lengthwise.reach
+    start = np.clip(member.pitch_angle + pitch_angle - delta, member.base_angle, np.pi - member.base_angle)
+    psi = roll_arc(start, member.base_angle)
+    along = np.clip(member.lengthwise.mean_cone_distance + rho - mean_distance, near, far)
+    longest = _LONGEST_SHARE * member.lengthwise.mean_cone_distance
+    finish = False
+    for _ in range(_STEPS):
+        point, by_psi, by_rho = envelope.tangents(psi, along)
+        distance = np.sqrt(dot(point, point))
+        radius = np.hypot(point[..., 0], point[..., 1])
+        out = point / distance[..., None]
+        flat = point[..., 2] / (radius * distance)
+        down = np.stack([point[..., 0] * flat, point[..., 1] * flat, -radius / distance], axis=-1)
+        e, f = rho - distance, distance * (delta - np.arctan2(radius, point[..., 2]))
+        a, b, c, d = dot(out, by_psi), dot(out, by_rho), dot(down, by_psi), dot(down, by_rho)
+        determinant = a * d - b * c
+        psi = psi + np.clip((d * e - b * f) / determinant, -_LONGEST_PSI, _LONGEST_PSI)
+        along = np.clip(along + np.clip((a * f - c * e) / determinant, -longest, longest), near, far)
+        error = np.maximum(np.abs(e), np.abs(f))
+        if finish:
+            return psi, along
+        finish = bool(np.all(error <= _ACCURACY**0.5 * rho))
+    if np.all(error <= _ACCURACY * rho):
+        return psi, along
+    raise GeometryError("the conjugate flank has no point where one was asked for; it is undercut or too short there")
