@@ -50,4 +50,8 @@ def _refuse(word: str) -> int:
 
 
 if __name__ == "__main__":
+    if getattr(sys, "frozen", False):
+        import multiprocessing
+
+        multiprocessing.freeze_support()  # the CAD process of a bundle is this program again
     sys.exit(main())

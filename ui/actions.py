@@ -50,9 +50,13 @@ class Command:
 
 COMMANDS = (
     Command("new", "&New", "Start from the default design", Keys.New, "new"),
+    Command("new_window", "New &window", "Open another window, with a CAD process of its own", "Ctrl+Shift+N"),
     Command("open", "&Open design…", "Open a design file (.gear.toml)", Keys.Open, "open"),
     Command("save", "&Save", "Save the design", Keys.Save, "save"),
     Command("save_as", "Save &as…", "Save the design under another name", "Ctrl+Shift+S"),
+    Command("backups", "&Backups…", "Go back to one of the last saves"),
+    Command("recover", "Reco&ver unsaved work…", "Look for edits that a window which ended unexpectedly had not saved"),
+    Command("compare_design", "Co&mpare with design…", "Parameters and derived values beside those of another design"),
     Command("export", "&Export…", "Write flanks, teeth, gears or the pair for other programs", "Ctrl+E", "export"),
     Command("screenshot", "S&creenshot…", "Save a picture of the window", "F12", "camera"),
     Command("quit", "&Quit", "", Keys.Quit),
@@ -69,6 +73,7 @@ COMMANDS = (
     Command("cancel", "&Cancel", "Stop the work in progress", "Esc", "cancel"),
     Command("restart", "Re&start CAD kernel", "End the CAD process and start a new one"),
     Command("reset_layout", "&Reset layout", "Put every panel back in its place"),
+    Command("reset_settings", "&Reset settings…", "Forget layout, lists and preferences; designs stay"),
     Command("about", "&About GearStudio", "What this is, and the versions of its parts"),
     Command("diagnostics", "Copy &diagnostics", "Copy versions, design and log for a report"),
 )
@@ -100,6 +105,7 @@ class Actions(QObject):
         check(self.schemes, "system")
         self.views = self._choices(list(VIEW_NAMES), checkable=False)
         self.presets = QMenu("Open &preset", window)
+        self.recent = QMenu(tr("Open &recent"), window)
         self.layers = QMenu("&Layers", window)
         self._build_menus(window)
         window.addActions(list(self.by_name.values()))
@@ -177,8 +183,10 @@ class Actions(QObject):
 
     def _build_menus(self, window: QMainWindow) -> None:
         bar = window.menuBar()
+        start = ("new", "new_window", "open")
+        keep = ("", "save", "save_as", "backups", "recover", "", "compare_design", "")
         plan: tuple[tuple[str, tuple[str | QMenu, ...]], ...] = (
-            ("&File", ("new", "open", self.presets, "", "save", "save_as", "", "export", "screenshot", "", "quit")),
+            ("&File", (*start, self.recent, self.presets, *keep, "export", "screenshot", "", "quit")),
             ("&Edit", ("undo", "redo", "", "reset_field", "reset_all", "find_field", "", "copy_table", "copy_derived")),
         )
         for title, items in plan:
@@ -199,7 +207,7 @@ class Actions(QObject):
         for group in (self.members, self.methods, self.variants):
             model.addSeparator()
             model.addActions(group.actions())
-        _fill(bar.addMenu("&Help"), ("about", "diagnostics"), self)
+        _fill(bar.addMenu("&Help"), ("about", "diagnostics", "", "reset_settings"), self)
 
 
 def check(group: QActionGroup, identifier: str) -> None:

@@ -14,13 +14,17 @@ from PySide6.QtGui import QGuiApplication, QSurfaceFormat
 from PySide6.QtWidgets import QApplication
 
 from ui.controller import Controller
-from ui.diagnostics import CrashCatcher, log_path, log_tail, start_logging, versions
+from ui.diagnostics import CrashCatcher, log_path, log_tail, note_fact, start_logging, versions
 from ui.files import Files
+from ui.graphics import MODES, advice, graphics_mode, prepare, probe
 from ui.loading import Loader
 from ui.main_window import MainWindow
 from ui.messages import ReportDialog
+from ui.projects.desk import Desk, data_folder
 from ui.session import Session
+from ui.settings_file import open_settings, reset_settings
 from ui.theme import Theme, is_dark
+from ui.upkeep import Upkeep
 
 log = logging.getLogger(__name__)
 SCHEMES = {
@@ -56,15 +60,28 @@ def make_application(argv: Sequence[str]) -> QApplication:
 
 
 class Studio(QObject):
-    """A window with everything behind it; the heavy parts come after the first paint."""
+    """A window with everything behind it; the heavy parts come after the first paint.
 
-    def __init__(self, theme: Theme, settings: QSettings | None = None, design: str | None = None) -> None:
+    ``data`` is the folder of recovery files and backups; without one there are none. ``graphics`` is a mode of
+    `ui.graphics`.
+    """
+
+    def __init__(
+        self,
+        theme: Theme,
+        settings: QSettings | None = None,
+        design: str | None = None,
+        data: Path | None = None,
+        graphics: str = "auto",
+    ) -> None:
         super().__init__()
-        self._theme, self._design = theme, design
+        self._theme, self._design, self._graphics = theme, design, graphics
         self.session = Session(self)
         self.window = MainWindow(self.session, settings)
         self.files = Files(self.session, self.window)
         self.controller = Controller(self.session, self.window, self.files)
+        self.desk = Desk(self.session, self.window, self.files, self.controller.edits, data, self)
+        self.upkeep = Upkeep(self.window)
         self.loader = Loader(parent=self)
         self._dialogs: list[ReportDialog] = []
         self.loader.loaded.connect(self._on_loaded)
@@ -98,11 +115,14 @@ class Studio(QObject):
         if stage == "core":
             self._fill_presets()
             self.controller.begin(self._design)
+            self.desk.offer_recovery()
         elif stage == "worker":
             from ui.runner import JobRunner
 
             log_file = log_path().with_name("cad.log")
-            self.controller.use_runner(JobRunner(self, log=str(log_file) if log_file.parent.is_dir() else None))
+            runner = JobRunner(self, log=str(log_file) if log_file.parent.is_dir() else None)
+            self.controller.use_runner(runner)
+            self.upkeep.use_runner(runner)
         elif stage == "views":
             self._make_views()
         elif stage == "charts":
@@ -121,6 +141,11 @@ class Studio(QObject):
         from ui.roll_slider import RollSlider
         from ui.view_grid import ViewGrid
 
+        found = probe(self._graphics)
+        note_fact("Graphics", str(found))
+        if found.problem:
+            self.window.area.placeholder.set_text(advice(found, self._graphics), waiting=False)
+            return
         grid = ViewGrid()
         grid.set_theme(is_dark())
         self.window.area.adopt(grid, ColorBar(), RollSlider(), MeshBar())
@@ -184,7 +209,16 @@ def main(argv: Sequence[str] | None = None) -> int:
     parser = argparse.ArgumentParser(prog="gearstudio", description="Desktop studio for spiral bevel gears")
     parser.add_argument("design", nargs="?", help="design file (.gear.toml), or preset:KEY")
     parser.add_argument("--demo", type=Path, metavar="DIR", help="save a picture of the window in DIR and leave")
+    parser.add_argument("--graphics", choices=MODES, help="what draws the 3D views: software needs no graphics card")
+    parser.add_argument("--reset-settings", action="store_true", help="forget layout, lists and preferences and leave")
     options = parser.parse_args(arguments)
+    if options.reset_settings:
+        kept = reset_settings()
+        print(f"The settings are reset; the old ones are kept as {kept}" if kept else "There were no settings")
+        return 0
+    opened = open_settings()
+    mode = graphics_mode(opened.settings, options.graphics)
+    prepare(mode)
     application = make_application(sys.argv)
     start_logging()
     theme = Theme(application)
@@ -192,7 +226,9 @@ def main(argv: Sequence[str] | None = None) -> int:
         from ui.demo import run_and_leave
 
         return run_and_leave(options.demo, theme, options.design)
-    studio = Studio(theme, QSettings(), options.design)
+    studio = Studio(theme, opened.settings, options.design, data_folder(), mode)
+    if opened.complaint:
+        studio.window.messages.show_message("warning", opened.complaint, topic="settings")
     studio.loader.finished.connect(keep_what_is_loaded)
     catcher = CrashCatcher(application)
     catcher.crashed.connect(studio.report_crash)

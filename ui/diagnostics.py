@@ -16,10 +16,29 @@ from PySide6.QtGui import QGuiApplication
 
 import gearstudio
 
-PACKAGES = ("PySide6-Essentials", "vtk", "pyvista", "pyvistaqt", "build123d", "cadquery-ocp-novtk", "numpy", "scipy")
+PACKAGES = (
+    "PySide6-Essentials",
+    "vtk",
+    "pyvista",
+    "pyvistaqt",
+    "pyqtgraph",
+    "build123d",
+    "cadquery-ocp-novtk",
+    "numpy",
+    "scipy",
+    "pydantic",
+    "typst",
+)
 HARMLESS = ("Setting a new default format", "propagateSizeHints")
 LOG_SIZE = 500_000
 log = logging.getLogger(__name__)
+_facts: dict[str, str] = {}
+
+
+def note_fact(name: str, value: str) -> None:
+    """Remember something found out while the program runs (what draws, the kernel's version) for `versions`."""
+    _facts[name] = value
+    log.info("%s: %s", name, value)
 
 
 def log_path() -> Path:
@@ -52,6 +71,7 @@ def versions() -> str:
             lines.append(f"{package} {metadata.version(package)}")
         except metadata.PackageNotFoundError:
             lines.append(f"{package} not installed")
+    lines += [f"{name}: {value}" for name, value in _facts.items()]
     return "\n".join(lines)
 
 

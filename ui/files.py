@@ -11,7 +11,9 @@ from PySide6.QtWidgets import QFileDialog, QMessageBox
 from gearstudio.design import Design
 from gearstudio.errors import DesignError, FileError
 from ui.export_dialog import ExportDialog
+from ui.projects.lock import ProjectLock, ask_how_to_open
 from ui.session import Session
+from ui.words import tr
 
 if TYPE_CHECKING:
     from gearstudio.presets import Preset
@@ -29,19 +31,32 @@ class Files(QObject):
     -------
     opened()
         Another design is in the session.
+    file_used(object)
+        Path of a design file that was opened or saved.
+    saved(object)
+        Path of a design file that was just written.
     export_requested(object)
         An ExportJob.
     """
 
     opened = Signal()
+    file_used = Signal(object)
+    saved = Signal(object)
     export_requested = Signal(object)
 
     def __init__(self, session: Session, window: MainWindow) -> None:
         super().__init__(window)
         self._session = session
         self._window = window
+        self.lock = ProjectLock()
+        window.closing.connect(self.lock.release)
         documents = QStandardPaths.StandardLocation.DocumentsLocation
         self._folder = QStandardPaths.writableLocation(documents) or QDir.homePath()
+
+    @property
+    def folder(self) -> str:
+        """Where dialogs begin."""
+        return self._folder
 
     def new(self) -> None:
         """Start from the default design."""
@@ -91,19 +106,42 @@ class Files(QObject):
                 "error", f"{path.name} was not opened: {error.reason}", str(error), topic="file"
             )
             return False
+        return self._open_as(design, path)
+
+    def reopen(self, path: Path | None) -> bool:
+        """Open what a recovered draft belongs to: its design file, or the default design where there is none now."""
+        from gearstudio.project import load_design
+
+        try:
+            design, known = (load_design(path), True) if path else (Design(), False)
+        except (DesignError, FileError):
+            design, known = Design(), False
+        if path is None:
+            self.new()
+            return not self._session.unsaved
+        return self._open_as(design, path, known)
+
+    def _open_as(self, design: Design, path: Path, saved: bool = True) -> bool:
         if not self.may_discard():
             return False
+        holder = self.lock.take(path)
+        way = ask_how_to_open(self._window, path, holder) if holder else "write"
+        if not way:
+            return False
         self._folder = str(path.parent)
-        self._take(design, path)
+        self._take(design, None if way == "copy" else path, way, saved)
         return True
 
     def save(self) -> bool:
         """Save under the same name, or ask for one; False when nothing was saved."""
-        return self._write(self._session.path) if self._session.path else self.save_as()
+        path = None if self._session.read_only else self._session.path
+        return self._write(path) if path is not None else self.save_as()
 
-    def save_as(self) -> bool:
-        """Ask for a name and save; False when nothing was saved."""
-        start = self._session.path or Path(self._folder) / f"{_file_name(self._session.design.name)}{SUFFIX}"
+    def save_as(self, folder: Path | None = None) -> bool:
+        """Ask for a name (in a folder) and save; False when nothing was saved."""
+        known = self._session.path
+        name = known.name if known else f"{_file_name(self._session.design.name)}{SUFFIX}"
+        start = (folder or (known.parent if known else Path(self._folder))) / name
         name, _ = QFileDialog.getSaveFileName(self._window, "Save design", str(start), FILTER)
         if not name:
             return False
@@ -150,30 +188,64 @@ class Files(QObject):
         else:
             self._window.messages.show_message("error", f"The picture could not be written to {path}", topic="file")
 
-    def _take(self, design: Design, path: Path | None) -> None:
+    def _take(self, design: Design, path: Path | None, way: str = "write", saved: bool = True) -> None:
         self._window.messages.clear("file")
-        self._session.load(design, path)
+        if path is None or way != "write":
+            self.lock.release()
+        self._session.load(design, path, saved=saved and way != "copy", read_only=way == "read_only")
         self.opened.emit()
+        if path is not None:
+            self.file_used.emit(path)
 
     def _write(self, path: Path) -> bool:
         from gearstudio.project import save_design
 
         wrong = [issue for issue in self._session.issues if issue.severity == "error"]
+        if path == self._session.path and not path.parent.is_dir():
+            return self._ask_for_another_folder(path)
+        holder = self.lock.take(path)
+        if holder is not None:
+            text = tr(
+                "{name} was not saved: it is open in another GearStudio window ({holder})",
+                name=path.name,
+                holder=holder,
+            )
+            self._window.messages.show_message("error", text, topic="file")
+            return False
         try:
             save_design(path, self._session.design)
         except FileError as error:
+            if self._session.path is not None and not self._session.read_only:
+                self.lock.take(self._session.path)
             self._window.messages.show_message(
                 "error", f"{path.name} was not saved: {error.reason}", str(error), topic="file"
             )
             return False
         self._folder = str(path.parent)
         self._session.mark_saved(path, self._session.design)
+        self.file_used.emit(path)
+        self.saved.emit(path)
         if wrong:
             text = f"Saved the last good design; {len(wrong)} field(s) with problems are not in {path.name}"
             self._window.messages.show_message("warning", text, "\n".join(map(str, wrong)), topic="file")
             return False
         self._window.messages.clear("file")
         return True
+
+    def _ask_for_another_folder(self, path: Path) -> bool:
+        """The folder of the design has vanished; whether it was saved elsewhere."""
+        box = QMessageBox(
+            QMessageBox.Icon.Warning,
+            tr("Folder not found"),
+            tr("The folder of “{name}” is no longer there:\n{folder}", name=path.name, folder=path.parent),
+            Answer.Save | Answer.Cancel,
+            self._window,
+        )
+        box.setInformativeText(tr("Nothing is lost: save the design in another folder."))
+        if box.exec() != Answer.Save:
+            return False
+        documents = QStandardPaths.writableLocation(QStandardPaths.StandardLocation.DocumentsLocation)
+        return self.save_as(Path(documents or QDir.homePath()))
 
 
 def _file_name(title: str) -> str:

@@ -66,6 +66,11 @@ class JobThread(threading.Thread):
         self._commands: list[Callable[[], None]] = []
         self._wake_reader, self._wake_writer = Pipe(duplex=False)
 
+    @property
+    def process_id(self) -> int:
+        """Number of the running process; 0 when there is none."""
+        return process.process_id if (process := self._worker) is not None else 0
+
     def submit(self, jobs: Sequence[Job], request: int, replace: bool) -> None:
         """Queue the jobs of a request; with ``replace``, in place of older ones of the same purpose."""
         self._command(lambda: self._submit(jobs, request, replace))
@@ -84,8 +89,7 @@ class JobThread(threading.Thread):
 
     def kill(self) -> None:
         """Last resort, when the thread hangs in talking to a process that does not listen."""
-        hung = self._worker
-        if hung is not None:
+        if (hung := self._worker) is not None:
             hung.kill()
 
     def run(self) -> None:
@@ -259,7 +263,7 @@ class JobThread(threading.Thread):
         death = process.death()
         reason = process.problem or death
         log.warning("lost the CAD process: %s", reason)
-        _clear_up(self._queue.running, process.process_id)
+        self._clear_up(self._queue.running, process)
         if given_up := self._queue.retry():
             self._post(JobFailed(given_up, f"the CAD process died each time it tried: {reason}"))
         if process.ready:
@@ -278,7 +282,15 @@ class JobThread(threading.Thread):
         if process is not None:
             process.stop(patience)
             self._worker = None
-            _clear_up(running, process.process_id)
+            self._clear_up(running, process)
+
+    def _clear_up(self, ticket: Ticket | None, process: WorkerProcess) -> None:
+        if ticket is None:
+            return
+        try:
+            ticket.job.clear_up(process.process_id)
+        except Exception:
+            log.exception("could not clear up after %s", ticket.job.label)
 
     # Events
 
@@ -290,12 +302,3 @@ class JobThread(threading.Thread):
         if self._queue.wanted != self._told_count:
             self._told_count = self._queue.wanted
             self._post(QueueChanged(self._told_count))
-
-
-def _clear_up(ticket: Ticket | None, process_id: int) -> None:
-    if ticket is None:
-        return
-    try:
-        ticket.job.clear_up(process_id)
-    except Exception:
-        log.exception("could not clear up after %s", ticket.job.label)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from pathlib import Path
 
 from PySide6.QtCore import QByteArray, QSettings, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QGuiApplication, QIcon, QPaintEvent
@@ -17,6 +16,7 @@ from ui.layer_panel import LayerPanel
 from ui.messages import MessageBar
 from ui.method_bar import MethodBar
 from ui.parameter_form import ParameterForm
+from ui.projects.drops import dropped_files
 from ui.session import Session
 from ui.solid_panel import SolidPanel
 from ui.status import Status
@@ -45,13 +45,16 @@ class MainWindow(QMainWindow):
     first_painted()
         The window is on the screen; heavy work may begin.
     design_dropped(object)
-        Path of a design file that was dropped on the window.
+        Path of a design file that was dropped on the window, the first if there are several.
+    others_dropped(object)
+        Paths of the other files of that drop, points and further designs, as a tuple.
     closing()
         The window is about to close for good.
     """
 
     first_painted = Signal()
     design_dropped = Signal(object)
+    others_dropped = Signal(object)
     closing = Signal()
 
     def __init__(self, session: Session, settings: QSettings | None = None) -> None:
@@ -167,14 +170,17 @@ class MainWindow(QMainWindow):
             QTimer.singleShot(0, self.first_painted)
 
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:
-        if _dropped_design(event) is not None:
+        if dropped_files(event.mimeData()) != (None, ()):
             event.acceptProposedAction()
 
     def dropEvent(self, event: QDropEvent) -> None:
-        path = _dropped_design(event)
-        if path is not None:
+        design, others = dropped_files(event.mimeData())
+        if design is not None:
             event.acceptProposedAction()
-            QTimer.singleShot(0, lambda: self.design_dropped.emit(path))
+            QTimer.singleShot(0, lambda: self.design_dropped.emit(design))
+        if others:
+            event.acceptProposedAction()
+            QTimer.singleShot(0, lambda: self.others_dropped.emit(others))
 
     def closeEvent(self, event: QCloseEvent) -> None:
         if self._closed:
@@ -232,12 +238,3 @@ class MainWindow(QMainWindow):
         dock.setObjectName(title)
         dock.setWidget(widget)
         return dock
-
-
-def _dropped_design(event: QDropEvent) -> Path | None:
-    """The first local design file of a drop."""
-    for url in event.mimeData().urls():
-        path = Path(url.toLocalFile())
-        if url.isLocalFile() and path.suffix == ".toml":
-            return path
-    return None

@@ -86,6 +86,11 @@ class JobRunner(QObject):
         self._closed = False
         self._event_waits.connect(self._deliver, Qt.ConnectionType.QueuedConnection)
 
+    @property
+    def process_id(self) -> int:
+        """Number of the running process; 0 when there is none."""
+        return self._thread.process_id
+
     @Slot()
     def start(self) -> None:
         """Start the process, once."""

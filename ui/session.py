@@ -12,6 +12,7 @@ from PySide6.QtCore import QObject, Signal
 from gearstudio.catalogue import METHOD_IDS, VARIANTS
 from gearstudio.design import Design, design_mapping
 from gearstudio.errors import GeometryError, Issue
+from ui.words import tr
 
 if TYPE_CHECKING:
     from gearstudio.results import VariantResult
@@ -73,6 +74,7 @@ class Session(QObject):
         self.draft: dict[str, Any] = flatten(self.design)
         self.issues: tuple[Issue, ...] = ()
         self.path: Path | None = None
+        self.read_only = False
         self.member, self.method, self.variant = "wheel", ALL, "optimised"
         self.results: dict[Key, VariantResult] = {}
         self.current: set[Key] = set()
@@ -88,7 +90,8 @@ class Session(QObject):
     @property
     def title(self) -> str:
         """Name for the title bar."""
-        return self.path.name if self.path else str(self.draft.get("name") or "Untitled")
+        name = self.path.name if self.path else str(self.draft.get("name") or tr("Untitled"))
+        return tr("{name} (read-only)", name=name) if self.read_only else name
 
     @property
     def visible_methods(self) -> tuple[str, ...]:
@@ -108,10 +111,10 @@ class Session(QObject):
         self._judge()
         self.document_changed.emit()
 
-    def load(self, design: Design, path: Path | None = None, *, saved: bool = True) -> None:
-        """Start afresh from another design; with ``saved`` it counts as unchanged."""
+    def load(self, design: Design, path: Path | None = None, *, saved: bool = True, read_only: bool = False) -> None:
+        """Start afresh from another design; with ``saved`` it counts as unchanged, ``read_only`` keeps its file."""
         self.draft = flatten(design)
-        self.path = path
+        self.path, self.read_only = path, read_only
         self._saved = dict(self.draft) if saved else {}
         self.results.clear()
         self.draft_replaced.emit()
@@ -127,7 +130,7 @@ class Session(QObject):
 
     def mark_saved(self, path: Path, design: Design) -> None:
         """Remember that a file now holds this design."""
-        self.path, self._saved = path, flatten(design)
+        self.path, self.read_only, self._saved = path, False, flatten(design)
         self.document_changed.emit()
 
     def select(self, *, member: str | None = None, method: str | None = None, variant: str | None = None) -> None:

@@ -1,0 +1,310 @@
+"""Nothing typed is lost but the last seconds: autosave, programs that are killed, and what the next start offers."""
+
+from __future__ import annotations
+
+import os
+import random
+import signal
+import subprocess
+import sys
+from collections.abc import Iterator
+from datetime import datetime
+from pathlib import Path
+from time import monotonic, sleep
+
+import pytest
+from PySide6.QtWidgets import QMessageBox
+
+from gearstudio.design import Design
+from gearstudio.errors import FileError
+from gearstudio.presets import PRESETS
+from gearstudio.project import load_design, save_design
+from tests.ui.stand_ins import Bench
+from ui.projects import autosave
+from ui.projects.autosave import Autosave, abandoned
+from ui.projects.desk import Desk
+from ui.projects.snapshot import Snapshot, read_snapshot, write_snapshot
+from ui.projects.versions import changed_fields, recovered_version, saved_version
+from ui.session import flatten
+
+ROOT = Path(__file__).resolve().parents[2]
+pytestmark = pytest.mark.ui
+TEETH = "pair.wheel_teeth"
+ANGLE = "lengthwise.spiral_angle_deg"
+MOST_LOST_S = 10.0
+
+
+class Place:
+    """A bench with its desk and the folder of both."""
+
+    def __init__(self, folder: Path) -> None:
+        self.bench = Bench()
+        self.folder = folder
+        self.desk = Desk(
+            self.bench.session,
+            self.bench.window,
+            self.bench.files,
+            self.bench.controller.edits,
+            folder,
+            self.bench.files,
+        )
+        self.bench.window.show()
+
+    def edit(self, field: str, value: object) -> None:
+        self.bench.controller.edits.change(field, value)
+
+    def snapshots(self) -> list[Path]:
+        return list((self.folder / "recovery").glob("*.json"))
+
+
+@pytest.fixture
+def place(qtbot, theme, tmp_path) -> Iterator[Place]:
+    made = Place(tmp_path / "data")
+    yield made
+    made.bench.close()
+
+
+@pytest.fixture
+def quick(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(autosave, "PAUSE_MS", 30)
+
+
+def left_behind(folder: Path, path: Path | None, title: str = "axle", **changes: object) -> Path:
+    """A snapshot as a killed program leaves it."""
+    draft = {**flatten(Design()), **changes}
+    file = folder / "recovery" / f"{title}.json"
+    file.parent.mkdir(parents=True, exist_ok=True)
+    write_snapshot(file, Snapshot(title, path, datetime.now().astimezone(), draft))
+    return file
+
+
+def test_a_draft_comes_back_as_it_was_typed(tmp_path) -> None:
+    draft = {**flatten(Design()), TEETH: "fifty", "pair.face_width": None, "name": "Zahnrad – ½ “a”"}
+    written = Snapshot("Titel", tmp_path / "ä.gear.toml", datetime.now().astimezone(), draft)
+    write_snapshot(tmp_path / "a.json", written)
+    assert read_snapshot(tmp_path / "a.json") == written
+
+
+@pytest.mark.parametrize(
+    "content",
+    [b"", b"{", b"[]", b"null", b'{"format": 2}', b'{"format": 1}', b"\xff\xfe\x00", b'{"format": 1, "title":'],
+)
+def test_a_damaged_snapshot_is_put_aside_and_disturbs_nobody(tmp_path, content: bytes) -> None:
+    bad = tmp_path / "bad.json"
+    bad.write_bytes(content)
+    with pytest.raises(FileError):
+        read_snapshot(bad)
+    good = left_behind(tmp_path, None).replace(tmp_path / "good.json")
+    assert [one.file for one in abandoned(tmp_path)] == [good]
+    assert not bad.exists() and bad.with_suffix(".damaged").read_bytes() == content
+
+
+def test_an_unsaved_draft_is_kept_and_goes_when_it_is_saved(quick, place: Place, qtbot, tmp_path, monkeypatch) -> None:
+    assert not place.snapshots()
+    place.edit(TEETH, 43)
+    qtbot.waitUntil(lambda: len(place.snapshots()) == 1, timeout=3000)
+    assert read_snapshot(place.snapshots()[0]).draft[TEETH] == 43
+    place.bench.session.path = tmp_path / "a.gear.toml"
+    assert place.bench.files.save()
+    qtbot.waitUntil(lambda: not place.snapshots(), timeout=3000)
+    place.edit(TEETH, 44)
+    qtbot.waitUntil(lambda: len(place.snapshots()) == 1, timeout=3000)
+    place.bench.close()
+    assert not place.snapshots() and not list((place.folder / "recovery").iterdir())
+
+
+def test_unceasing_edits_are_written_all_the_same(quick, place: Place, qtbot) -> None:
+    for number in range(60):
+        place.edit(ANGLE, 20.0 + number / 10)
+        qtbot.wait(5)
+    assert place.snapshots(), "edits that never rest must not put autosave off"
+
+
+def test_a_folder_that_cannot_be_written_is_told_once(quick, place: Place, qtbot) -> None:
+    place.folder.mkdir()
+    (place.folder / "recovery").write_text("in the way")
+    said: list[str] = []
+    place.desk.autosave.failed.connect(said.append)
+    for number in range(5):
+        place.edit(TEETH, 50 + number)
+        qtbot.wait(60)
+    assert len(said) == 1 and "recovery" in place.bench.window.messages.text
+
+
+def test_a_window_that_runs_is_not_offered_to_others(quick, place: Place, qtbot) -> None:
+    place.edit(TEETH, 43)
+    qtbot.waitUntil(lambda: len(place.snapshots()) == 1, timeout=3000)
+    assert abandoned(place.folder / "recovery") == []
+
+
+def test_both_versions_are_offered_with_dates_and_validity(place: Place, tmp_path) -> None:
+    path = tmp_path / "axle.gear.toml"
+    save_design(path, Design())
+    left_behind(place.folder, path, "good", **{TEETH: 47})
+    left_behind(place.folder, path, "bad", **{TEETH: 1, "pair.outer_module": "wide"})
+    left_behind(place.folder, None, "new", **{TEETH: 48})
+    left_behind(place.folder, tmp_path / "gone.gear.toml", "gone", **{TEETH: 49})
+    dialog = place.desk.offer_recovery()
+    rows = {dialog.list.topLevelItem(row).text(0): dialog.list.topLevelItem(row) for row in range(4)}
+    assert rows["good"].text(1).endswith("valid") and rows["good"].text(2).endswith("\nvalid")
+    assert "2 problems" in rows["bad"].text(2) and "pair.outer_module" in rows["bad"].toolTip(2)
+    assert "never saved" in rows["new"].text(1) and "gone" in rows["gone"].text(1)
+    assert str(datetime.now().year) in rows["good"].text(2)
+    assert abandoned(place.folder / "recovery") == [], "what is offered here is not offered elsewhere"
+    dialog.reject()
+    assert len(place.snapshots()) == 4
+    assert len(abandoned(place.folder / "recovery")) == 4, "later means later"
+
+
+def choose(dialog, title: str) -> None:
+    item = next(dialog.list.topLevelItem(row) for row in range(4) if dialog.list.topLevelItem(row).text(0) == title)
+    dialog.list.setCurrentItem(item)
+
+
+def test_the_recovered_version_is_opened_and_undo_gives_the_saved_one(place: Place, tmp_path, qtbot) -> None:
+    path = tmp_path / "axle.gear.toml"
+    save_design(path, PRESETS[4].design)
+    draft = flatten(PRESETS[4].design)
+    file = left_behind(place.folder, path, "axle", **{**draft, TEETH: 47, "pair.outer_module": "wide"})
+    dialog = place.desk.offer_recovery()
+    assert "Wheel teeth" in dialog.details.text() and "Outer module" in dialog.details.text()
+    dialog.recover.click()
+    session = place.bench.session
+    assert (session.path, session.draft[TEETH], session.draft["pair.outer_module"]) == (path, 47, "wide")
+    assert session.unsaved and not file.exists()
+    assert [read_snapshot(one).draft[TEETH] for one in place.snapshots()] == [47], "it is kept again, under a new name"
+    place.bench.controller.edits.undo()
+    assert session.draft == draft and not session.unsaved
+
+
+def test_the_saved_version_is_opened_and_the_recovered_one_stays(place: Place, tmp_path) -> None:
+    path = tmp_path / "axle.gear.toml"
+    save_design(path, PRESETS[4].design)
+    file = left_behind(place.folder, path)
+    place.desk.offer_recovery().saved.click()
+    assert place.bench.session.design == PRESETS[4].design and file.exists()
+
+
+def test_a_recovered_version_is_discarded(place: Place) -> None:
+    file = left_behind(place.folder, None)
+    place.desk.offer_recovery().discard.click()
+    assert not file.exists() and not list(file.parent.iterdir())
+
+
+def test_a_design_whose_folder_vanished_is_recovered(place: Place, tmp_path, monkeypatch) -> None:
+    path = tmp_path / "none" / "axle.gear.toml"
+    left_behind(place.folder, path, "axle", **{TEETH: 47})
+    place.desk.offer_recovery().recover.click()
+    assert place.bench.session.draft[TEETH] == 47 and place.bench.session.unsaved
+    asked: list[str] = []
+    monkeypatch.setattr(QMessageBox, "exec", lambda box: asked.append(box.text()) or QMessageBox.StandardButton.Cancel)
+    assert not place.bench.files.save()
+    assert len(asked) == 1 and str(path.parent) in asked[0]
+
+
+def test_an_older_programs_draft_is_completed() -> None:
+    snapshot = Snapshot("a", None, datetime.now().astimezone(), {TEETH: 41, "pair.no_such_field": 3})
+    version = recovered_version(snapshot)
+    assert version.valid and version.draft[TEETH] == 41 and "pair.no_such_field" not in version.draft
+
+
+def test_versions_say_what_differs(tmp_path) -> None:
+    save_design(tmp_path / "a.gear.toml", Design())
+    saved = saved_version(tmp_path / "a.gear.toml")
+    assert saved.valid and changed_fields(saved.draft, {**saved.draft, TEETH: 3}) == [TEETH]
+    (tmp_path / "b.gear.toml").write_text("format = 99")
+    assert not saved_version(tmp_path / "b.gear.toml").valid
+
+
+# --- programs that are killed
+
+TYPIST = """
+import sys, time
+from pathlib import Path
+from PySide6.QtCore import QTimer
+from PySide6.QtWidgets import QApplication
+from ui.projects.autosave import Autosave
+from ui.session import Session
+application = QApplication([])
+session = Session()
+session.load(session.design, Path(sys.argv[2]))
+keeper = Autosave(session, Path(sys.argv[1]))
+log = open(sys.argv[3], "w", buffering=1)
+count = 0
+def edit():
+    global count
+    count += 1
+    session.edit("name", f"edit {count}")
+    log.write(f"{count} {time.monotonic()}\\n")
+timer = QTimer(interval=20)
+timer.timeout.connect(edit)
+timer.start()
+application.exec()
+"""
+HAMMER = """
+import sys
+from datetime import datetime
+from pathlib import Path
+from gearstudio.design import Design
+from ui.projects.snapshot import Snapshot, write_snapshot
+from ui.session import flatten
+draft, number = flatten(Design()), 0
+print("ready", flush=True)
+while True:
+    number += 1
+    write_snapshot(Path(sys.argv[1]), Snapshot("a", None, datetime.now(), {**draft, "name": "x" * (number % 5000)}))
+"""
+
+
+def start(script: str, *arguments: object, **options: object) -> subprocess.Popen:
+    environment = os.environ | {"QT_QPA_PLATFORM": "offscreen", "PYTHONPATH": str(ROOT)}
+    return subprocess.Popen([sys.executable, "-c", script, *map(str, arguments)], cwd=ROOT, env=environment, **options)
+
+
+@pytest.mark.parametrize("seconds", [0.0, 1.3, 3.1])
+def test_a_kill_loses_the_last_seconds_at_most(tmp_path, seconds: float) -> None:
+    path, log, folder = tmp_path / "axle.gear.toml", tmp_path / "edits.txt", tmp_path / "recovery"
+    save_design(path, Design())
+    typist = start(TYPIST, folder, path, log)
+    deadline = monotonic() + 30
+    while not list(folder.glob("*.json")) and monotonic() < deadline:
+        sleep(0.02)
+    sleep(seconds)
+    typist.send_signal(signal.SIGKILL)
+    killed = monotonic()
+    typist.wait(10)
+    found = abandoned(folder)
+    assert len(found) == 1 and found[0].snapshot.path == path
+    kept = int(str(found[0].snapshot.draft["name"]).split()[1])
+    made = dict(map(float, line.split()) for line in log.read_text().splitlines() if line.count(" ") == 1)
+    lost = [moment for number, moment in made.items() if number > kept]
+    assert not lost or killed - min(lost) < MOST_LOST_S / 2
+    assert load_design(path) == Design(), "the saved version is untouched"
+    assert recovered_version(found[0].snapshot).valid
+    found[0].discard()
+    assert not list(folder.glob("*.json"))
+
+
+def test_a_kill_while_writing_leaves_a_whole_file(tmp_path) -> None:
+    chance = random.Random(7)
+    file = tmp_path / "a.json"
+    for _ in range(4):
+        writer = start(HAMMER, file, stdout=subprocess.PIPE)
+        assert writer.stdout is not None and writer.stdout.readline().strip() == b"ready"
+        sleep(0.02 + 0.1 * chance.random())
+        writer.kill()
+        writer.wait(10)
+        if file.exists():
+            assert read_snapshot(file).draft["pair.pinion_teeth"] == 17
+    assert file.exists()
+
+
+def test_a_closed_autosave_leaves_nothing(quick, tmp_path, qtbot) -> None:
+    bench = Bench()
+    keeper = Autosave(bench.session, tmp_path)
+    bench.session.edit(TEETH, 50)
+    keeper.save_and_wait()
+    assert keeper.file.exists()
+    keeper.close()
+    assert not list(tmp_path.iterdir())
+    bench.close()

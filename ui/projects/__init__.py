@@ -1,0 +1,1 @@
+"""What happens to designs outside the window: autosave and recovery, backups, locks, recent files, other windows."""

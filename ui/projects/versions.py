@@ -1,0 +1,111 @@
+"""The versions of a design that a user can choose from, each with its date and whether it is valid."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from datetime import datetime
+from pathlib import Path
+from typing import Any
+
+from PySide6.QtCore import QDateTime, QLocale
+
+from gearstudio.design import Design
+from gearstudio.errors import DesignError, FileError, GeometryError
+from ui.projects.snapshot import Snapshot
+from ui.session import flatten, nest
+from ui.words import tr
+
+
+@dataclass(frozen=True)
+class Version:
+    """One version: when it was written, its draft (None when it cannot be read) and what is wrong with it."""
+
+    when: datetime | None
+    draft: Mapping[str, Any] | None
+    problems: tuple[str, ...] = ()
+
+    @property
+    def valid(self) -> bool:
+        """Whether it can be built."""
+        return self.draft is not None and not self.problems
+
+    @property
+    def verdict(self) -> str:
+        """That in words."""
+        if self.valid:
+            return tr("valid")
+        if self.draft is None:
+            return self.problems[0] if self.problems else tr("never saved")
+        if len(self.problems) == 1:
+            return tr("not valid: {problem}", problem=self.problems[0])
+        return tr("not valid: {count} problems", count=len(self.problems))
+
+    @property
+    def date(self) -> str:
+        """When, as this user writes dates."""
+        return short_date(self.when) if self.when else "–"
+
+
+def saved_version(path: Path | None) -> Version:
+    """What the design file holds."""
+    from gearstudio.project import load_design
+
+    if path is None:
+        return Version(None, None)
+    try:
+        when = datetime.fromtimestamp(path.stat().st_mtime).astimezone()
+    except OSError:
+        return Version(None, None, (tr("the file is gone"),))
+    try:
+        return judged(when, flatten(load_design(path)))
+    except DesignError as error:
+        return Version(when, None, tuple(map(str, error.issues)))
+    except FileError as error:
+        return Version(when, None, (error.reason,))
+
+
+def recovered_version(snapshot: Snapshot) -> Version:
+    """What autosave kept; fields that this program does not know are left out, missing ones take their default."""
+    default = flatten(Design())
+    known = {field: value for field, value in snapshot.draft.items() if field in default}
+    return judged(snapshot.written, {**default, **known})
+
+
+def judged(when: datetime, draft: Mapping[str, Any]) -> Version:
+    """A draft with what is wrong with it."""
+    from gearstudio.theory.cones import pair_geometry
+    from gearstudio.validation import read_design
+
+    design, issues = read_design(nest(draft))
+    problems = tuple(str(issue) for issue in issues if issue.severity == "error")
+    if design is not None and not problems:
+        try:
+            pair_geometry(design)
+        except GeometryError as error:
+            problems = (str(error),)
+    return Version(when, draft, problems)
+
+
+def changed_fields(one: Mapping[str, Any] | None, other: Mapping[str, Any] | None) -> list[str]:
+    """The fields in which two drafts differ, in the order of the form."""
+    one, other = one or {}, other or {}
+    return [field for field in {**one, **other} if one.get(field) != other.get(field)]
+
+
+def field_title(field: str) -> str:
+    """The name of a field as the form shows it, with the group it stands in."""
+    from gearstudio.design import all_field_specs
+
+    spec = all_field_specs().get(field)
+    group = field.rpartition(".")[0].replace(".", " ")
+    title = spec.title if spec else field
+    return f"{title} ({group})" if group else title
+
+
+def short_date(when: datetime) -> str:
+    """A moment as this user writes it, to the second."""
+    moment = QDateTime.fromSecsSinceEpoch(int(when.timestamp()))
+    locale = QLocale()
+    day = locale.toString(moment.date(), QLocale.FormatType.ShortFormat)
+    return f"{day} {moment.time().toString('HH:mm:ss')}"
