@@ -23,7 +23,9 @@ Along = Callable[[Floats], Floats]
 """Points (n, 3) at parameters (n,) of an edge."""
 
 _DEGREE = 5
-_NODES_A_SPAN = (6, 12, 24)
+_NODES_A_SPAN = (3, 6, 12, 24)
+_LOOKS_A_SPAN = 31
+_SEAM_NODES = 6
 _SHARE = 1e-8
 _SAME_KNOT = 1e-9
 
@@ -168,7 +170,7 @@ def trace_on(
         return revolved.parameters(np.vstack([anchor, places]))[1:]
 
     spans = _within(span, knots)
-    for nodes_a_span in _NODES_A_SPAN:
+    for nodes_a_span in _nodes_a_span(spans):
         nodes = nodes_of(spans, nodes_a_span)
         spline = make_interp_spline(nodes, on_surface(points(nodes)), k=_DEGREE)
         fine = np.linspace(*span, 6 * len(nodes) + 1)
@@ -187,9 +189,15 @@ def _within(span: tuple[float, float], knots: Floats) -> Floats:
     return np.asarray(np.r_[span[0], inside[(inside > span[0] + slack) & (inside < span[1] - slack)], span[1]])
 
 
+def _nodes_a_span(knots: Floats) -> tuple[int, ...]:
+    """Counts to try, from the fewest that determine a spline; the kernel's check of a face takes longer for more."""
+    fewest = max(2, -(-(_DEGREE + 1) // (len(knots) - 1)))
+    return fewest, *(n for n in _NODES_A_SPAN if n > fewest)
+
+
 def fitted_curve(values: Along, knots: Floats, goal: float) -> tuple[BSpline, float]:
     """A spline through values over spans, with as many nodes as a goal asks for, and how far it is off between."""
-    for nodes_a_span in _NODES_A_SPAN:
+    for nodes_a_span in _nodes_a_span(knots):
         nodes = nodes_of(knots, nodes_a_span)
         spline = make_interp_spline(nodes, values(nodes), k=_DEGREE)
         places = between_nodes(knots)
@@ -204,7 +212,7 @@ def flat_curve(spline: BSpline) -> Geom2d_Curve:
     return Geom2d_BSplineCurve(point_row_2d(spline.c), *knots_and_multiplicities(spline.t), spline.k)
 
 
-def nodes_of(knots: Floats, nodes_a_span: int = _NODES_A_SPAN[0]) -> Floats:
+def nodes_of(knots: Floats, nodes_a_span: int = _SEAM_NODES) -> Floats:
     """Several places in every span of distinct knots."""
     inner = np.linspace(0.0, 1.0, nodes_a_span, endpoint=False)
     return np.append((knots[:-1, None] + np.diff(knots)[:, None] * inner).ravel(), knots[-1])
@@ -212,4 +220,4 @@ def nodes_of(knots: Floats, nodes_a_span: int = _NODES_A_SPAN[0]) -> Floats:
 
 def between_nodes(knots: Floats) -> Floats:
     """Places where a fit over spans is looked at."""
-    return nodes_of(knots, 5 * _NODES_A_SPAN[0] + 1)
+    return nodes_of(knots, _LOOKS_A_SPAN)

@@ -27,11 +27,12 @@ Floats = NDArray[np.float64]
 class PitchEnd:
     """The edges of one pitch at the toe or heel, in the order of azimuth, and the chamfer below some of them.
 
-    ``places`` tells where along each seam the end is met.
+    ``places`` tells where along each seam the end is met, ``corners`` (n, 3) the points there [mm].
     """
 
     pieces: tuple[EndPiece, ...]
     places: tuple[float, ...]
+    corners: Floats
     chamfer: ChamferPitch | None
 
     @staticmethod
@@ -39,10 +40,12 @@ class PitchEnd:
         """The end of faces as for `assembled`."""
         curves = [to_curve(r.poles[:, -end], r.knots_u, r.degree_u) for r in records]
         if chamfer is None:
-            return PitchEnd(end_pieces(records, curves, end), (float(end),) * len(records), None)
+            corners = np.array([record.poles[0, -end] for record in records])
+            return PitchEnd(end_pieces(records, curves, end), (float(end),) * len(records), corners, None)
         pieces, cuts = cut_pieces(records, curves, chamfer)
         places = tuple(float(end) if cut is None else float(cut.v(0.0)) for cut in cuts)
-        return PitchEnd(pieces, places, chamfer_pitch(pieces, chamfer))
+        corners = np.array([r.grid([0.0], [place])[0, 0] for r, place in zip(records, places, strict=True)])
+        return PitchEnd(pieces, places, corners, chamfer_pitch(pieces, chamfer))
 
 
 @dataclass(frozen=True)
@@ -69,7 +72,7 @@ class Pitch:
 
     def corner(self, j: int, end: int) -> Floats:
         """Where seam j meets the toe or heel."""
-        return np.asarray(self.records[j].grid([0.0], [self.ends[end].places[j]])[0, 0])
+        return np.asarray(self.ends[end].corners[j])
 
 
 @dataclass

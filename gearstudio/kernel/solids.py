@@ -124,8 +124,8 @@ def _along(edge: TopoDS_Edge, face: TopoDS_Face) -> Floats:
 
 
 def is_valid(shape: TopoDS_Shape) -> bool:
-    """The kernel's full check."""
-    return bool(BRepCheck_Analyzer(shape).IsValid())
+    """The kernel's full check, on as many cores as there are."""
+    return bool(BRepCheck_Analyzer(shape, True, True).IsValid())
 
 
 def bounding_box(shape: TopoDS_Shape) -> Floats:
