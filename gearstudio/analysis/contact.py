@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import astuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from gearstudio.analysis.contact_grid import PinionGrid, Relief, pinion_grid
+from gearstudio.analysis.contact_grid import PinionGrid, pinion_grid
 from gearstudio.analysis.contact_path import contact_path
 from gearstudio.analysis.contact_placing import MARKING_THICKNESS_UM, FlankMesh, Misalignment, flank_mesh
 from gearstudio.analysis.contact_result import DIRECTIONS, ContactResult, Direction, FlankContact, FlankPattern
@@ -16,7 +15,6 @@ from gearstudio.analysis.contact_roll import roll
 from gearstudio.analysis.ease_off import EaseOff, ease_off, pattern_table
 from gearstudio.errors import GeometryError, Issue
 from gearstudio.theory.cones import PairGeometry
-from gearstudio.theory.flank import FLANKS, FlankName
 
 Floats = NDArray[np.float64]
 DEFAULT_POINTS = (60, 100)
@@ -34,9 +32,8 @@ def contact_analysis(
     thickness_um: float = MARKING_THICKNESS_UM,
     points: tuple[int, int] = DEFAULT_POINTS,
     positions: int = DEFAULT_POSITIONS,
-    relief: Callable[[FlankName], Relief | None] | None = None,
 ) -> ContactResult:
-    """Analyse the contact of a pair.
+    """Analyse the contact of a pair, with the micro-geometry of both members.
 
     Parameters
     ----------
@@ -48,8 +45,6 @@ def contact_analysis(
         Of the grid along the profile and along the face.
     positions : int
         Turns of the pinion looked at for one pair of teeth.
-    relief : callable, optional
-        From the name of a pinion flank to the metal taken off it: a function of (u, v), normal, in mm.
 
     Raises
     ------
@@ -61,10 +56,7 @@ def contact_analysis(
         raise GeometryError("a misalignment and the thickness of the marking compound must be finite numbers")
     if thickness_um <= 0:
         raise GeometryError(f"a marking compound {thickness_um:.6g} µm thick leaves no mark; use more than 0")
-    drive, coast = (
-        one_direction(pair, name, placed, thickness_um, points, positions, relief and relief(flank))
-        for name, flank in zip(DIRECTIONS, FLANKS, strict=True)
-    )
+    drive, coast = (one_direction(pair, name, placed, thickness_um, points, positions) for name in DIRECTIONS)
     play = _play(pair, drive, coast)
     return ContactResult(placed, thickness_um, drive, coast, play, tuple(_warnings(play, drive, coast)))
 
@@ -76,11 +68,10 @@ def one_direction(
     thickness_um: float = MARKING_THICKNESS_UM,
     points: tuple[int, int] = DEFAULT_POINTS,
     positions: int = DEFAULT_POSITIONS,
-    relief: Relief | None = None,
 ) -> FlankContact:
     """One direction of `contact_analysis`."""
     mesh = flank_mesh(pair, "concave" if direction == "drive" else "convex", misalignment)
-    grid = pinion_grid(mesh, points, relief)
+    grid = pinion_grid(mesh, points)
     rolled = roll(grid, positions)
     shared = rolled.shared_lag()
     steps = np.arange(_PITCHES * rolled.per_pitch + 1) - _PITCHES * rolled.per_pitch // 2

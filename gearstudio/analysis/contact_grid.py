@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -13,8 +12,6 @@ from gearstudio.errors import GeometryError
 from gearstudio.theory.flank import InvoluteFlank
 
 Floats = NDArray[np.float64]
-Relief = Callable[[Floats, Floats], Floats]
-"""Metal taken off the pinion's flank at (u, v), normal to it [mm]."""
 
 _STENCIL = np.linspace(-1.0, 1.0, 5)
 _SHRINKING = 0.4
@@ -37,14 +34,12 @@ class PinionGrid:
         Of the pinion.
     u : ndarray, shape (n_u, n_v)
     v : ndarray, shape (n_v,)
-    relief : callable or None
     """
 
     mesh: FlankMesh
     flank: InvoluteFlank
     u: Floats
     v: Floats
-    relief: Relief | None
 
     @property
     def contact_turn(self) -> Floats:
@@ -52,15 +47,11 @@ class PinionGrid:
         return self.mesh.contact_turn(*self.flank.coordinates(self.u, self.v))
 
     def points(self, u: ArrayLike, v: ArrayLike) -> Floats:
-        """Points of the flank, less the relief, shape (..., 3) [mm]."""
-        u, v = np.broadcast_arrays(np.asarray(u, dtype=np.float64), np.asarray(v, dtype=np.float64))
-        points = self.flank.points(u, v)
-        if self.relief is None:
-            return points
-        return np.asarray(points - self.relief(u, v)[..., None] * self.flank.normals(u, v))
+        """Points of the flank, shape (..., 3) [mm]."""
+        return self.flank.points(u, v)
 
 
-def pinion_grid(mesh: FlankMesh, shape: tuple[int, int], relief: Relief | None = None) -> PinionGrid:
+def pinion_grid(mesh: FlankMesh, shape: tuple[int, int]) -> PinionGrid:
     """A grid of (along the profile, along the face) points on the pinion flank of a mesh."""
     n_u, n_v = shape
     if n_u < 3 or n_v < 3:
@@ -74,7 +65,6 @@ def pinion_grid(mesh: FlankMesh, shape: tuple[int, int], relief: Relief | None =
         mesh.pinion_flank,
         np.concatenate([below, start + np.linspace(0.0, 1.0, n_u - dead)[:, None] * (1 - start)]),
         v,
-        relief,
     )
 
 

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 from gearstudio.theory.cones import MemberGeometry, PairGeometry
 from gearstudio.theory.flank import FlankName, InvoluteFlank
 from gearstudio.theory.involute import involute_azimuth, roll_arc
-from gearstudio.theory.modified import flank_of
+from gearstudio.theory.modified import flank_of, relief_on
 
 Floats = NDArray[np.float64]
 
@@ -118,7 +118,7 @@ class FlankMesh:
         -----
         With q = rho cos(delta_b) sin(psi) the flank's azimuth needs two arctangents and no polar angle:
         psi = atan2(q, z) and beta = psi / sin(delta_b) - atan2(q, z sin(delta_b)); the second is taken together
-        with the azimuth of the point.
+        with the azimuth of the point. Metal taken off the wheel adds its thickness over the lever to the lag.
         """
         wheel, side = self.pair.wheel, self.side
         x, y, z = self._world(points, turn)
@@ -135,7 +135,10 @@ class FlankMesh:
         ratio = self.pair.pinion.teeth / wheel.teeth
         pitch_beta = float(involute_azimuth(wheel.pitch_angle, wheel.base_angle))
         lag += side * ratio * np.asarray(turn) + (np.pi / wheel.teeth - wheel.half_tooth_azimuth - pitch_beta)
-        return Meeting(lag, rho, np.sqrt(square), z)
+        radius, relief = np.sqrt(square), relief_on(wheel, side)
+        if relief is not None:
+            lag += relief.value(rho, np.arctan2(radius, z)) / self.lever(rho)
+        return Meeting(lag, rho, radius, z)
 
     def margins(self, met: Meeting) -> tuple[Floats, Floats, Floats, Floats]:
         """Distances of points from the wheel flank's tip, lower edge, toe and heel, positive inside [mm]."""

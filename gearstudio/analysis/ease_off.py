@@ -95,7 +95,6 @@ def pattern_table(mesh: FlankMesh, roll: Roll, shape: tuple[int, int]) -> tuple[
     Parameters
     ----------
     mesh : FlankMesh
-        Without relief.
     roll : Roll
     shape : (int, int)
         Numbers of cone distances and polar angles.

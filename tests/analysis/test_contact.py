@@ -30,7 +30,8 @@ from tests.designs import GOLDEN
 from tests.strategies import designs
 
 Floats = np.ndarray
-PAIR = pair_geometry(Design())
+DEFAULT = Design()
+PAIR = pair_geometry(DEFAULT)
 OTHERS = {
     "constant clearance": {"tooth": {"tip_cone": "constant_clearance", "profile_shift": 0.3}},
     "backlash": {"tooth": {"backlash": 0.2}},
@@ -48,9 +49,13 @@ MISALIGNMENTS = [
 ]
 
 
-def crowned(lengthwise_um: float, profile_um: float = 0.0):  # type: ignore[no-untyped-def]
-    """Relief of both pinion flanks: parabolas of given heights at the ends."""
-    return lambda flank: lambda u, v: 1e-3 * (lengthwise_um * (2 * v - 1) ** 2 + profile_um * (2 * u - 1) ** 2)
+def crowned(
+    lengthwise_um: float, profile_um: float = 0.0, member: str = "pinion", of: Design = DEFAULT
+) -> PairGeometry:
+    """A pair with both flanks of a member crowned by given heights."""
+    one = {"lengthwise_crowning_um": lengthwise_um, "profile_crowning_um": profile_um}
+    modifications = {member: dict.fromkeys(FLANKS, one)}
+    return pair_geometry(Design.model_validate({**of.model_dump(), "modifications": modifications}))
 
 
 @pytest.mark.parametrize("name", DESIGNS)
@@ -112,18 +117,71 @@ def test_placing_agrees_with_the_pair_of_theory() -> None:
             assert mesh.meet(points, turn).lag == pytest.approx(lag, abs=1e-13)
 
 
-@pytest.mark.parametrize("ends", [15.0, -8.0])
-def test_lengthwise_crown_comes_back_in_the_ease_off(ends: float) -> None:
-    result = contact_analysis(PAIR, relief=crowned(ends))
+@pytest.mark.parametrize("name", DESIGNS)
+@pytest.mark.parametrize("member", ["pinion", "wheel"])
+@pytest.mark.parametrize("height", [15.0, -8.0])
+def test_lengthwise_crown_comes_back_in_the_ease_off(name: str, member: str, height: float) -> None:
+    pair = crowned(height, member=member, of=DESIGNS[name])
+    result = contact_analysis(pair, points=(13, 21), positions=12)
     for direction in DIRECTIONS:
         side = result.direction(direction)
-        expected = ends * np.linspace(-1, 1, side.ease_off_um.shape[1]) ** 2
-        assert np.abs(side.ease_off_um - expected).max() < 0.01
+        pattern = side.pinion if member == "pinion" else side.wheel
+        own = pair.member(member)
+        place = own.end_distance(pattern.rho, np.radians(pattern.delta_deg)) - own.mean_cone_distance
+        expected = height * (2 * place / own.face_width) ** 2
+        meets = np.isfinite(side.pinion.gap_um)
+        assert np.abs(side.ease_off_um - expected)[meets].max() < 0.01
+        assert np.abs(side.ease_off_um)[meets].max() == pytest.approx(abs(height), rel=0.2)
+
+
+def test_ease_offs_of_both_members_add_up() -> None:
+    heights = [
+        contact_analysis(pair, points=(13, 21), positions=12).drive.ease_off_um
+        for pair in (crowned(15.0, 6.0), crowned(15.0, 6.0, "wheel"))
+    ]
+    one = {"lengthwise_crowning_um": 15.0, "profile_crowning_um": 6.0}
+    both = {member: dict.fromkeys(FLANKS, one) for member in ("pinion", "wheel")}
+    pair = pair_geometry(Design.model_validate({"modifications": both}))
+    together = contact_analysis(pair, points=(13, 21), positions=12).drive
+    meets = np.isfinite(together.pinion.gap_um)
+    assert together.ease_off_um[meets] == pytest.approx((heights[0] + heights[1])[meets], abs=0.05)
+
+
+@pytest.mark.parametrize(
+    ("misalignment", "urad", "centre"),
+    [
+        (Misalignment(), 54.6, (0.49, 0.50)),
+        (Misalignment(offset=0.05), 46.0, (0.41, 0.46)),
+        (Misalignment(pinion_axial=0.05), 41.6, (0.51, 0.44)),
+        (Misalignment(wheel_axial=0.05), 54.1, (0.53, 0.55)),
+        (Misalignment(shaft_angle_deg=2 / 60), 54.3, (0.49, 0.50)),
+    ],
+)
+def test_crowned_pair_against_an_independent_program(
+    misalignment: Misalignment, urad: float, centre: tuple[float, float]
+) -> None:
+    """Its depths are of the mean normal module; it takes the range over 13 turns of a pitch, centres in polar angle."""
+    factor = float(np.cos(np.radians(35.0)))
+    design = Design.model_validate(
+        {
+            "pair": {"face_width": 26.0, "pressure_angle_deg": 23.957, "pressure_angle_kind": "transverse"},
+            "tooth": {"addendum_factor": factor, "clearance_factor": 0.25 * factor, "ends": "sphere"},
+        }
+    )
+    side = contact_analysis(crowned(20.0, 10.0, of=design), misalignment, positions=47).drive
+    assert side.roll.per_pitch == 13
+    assert np.ptp(side.roll.shared_lag()) * 1e6 == pytest.approx(urad, rel=0.03)
+    touched, delta = side.pinion.gap_um <= 6.35, side.pinion.delta_deg
+    depth = (delta - delta[0]) / (delta[-1] - delta[0])
+    weight = touched * np.gradient(depth, axis=0)
+    along = np.broadcast_to(np.linspace(0.0, 1.0, delta.shape[1]), delta.shape)
+    found = [np.sum(weight * place) / np.sum(weight) for place in (along, depth)]
+    assert found == pytest.approx(centre, abs=0.025)
 
 
 def test_crowned_pair_does_not_depend_on_the_grid() -> None:
-    coarse = contact_analysis(PAIR, Misalignment(0.02, 0.01), relief=crowned(20, 10), points=(31, 51)).drive
-    fine = contact_analysis(PAIR, Misalignment(0.02, 0.01), relief=crowned(20, 10), points=(121, 181)).drive
+    coarse = contact_analysis(crowned(20, 10), Misalignment(0.02, 0.01), points=(31, 51)).drive
+    fine = contact_analysis(crowned(20, 10), Misalignment(0.02, 0.01), points=(121, 181)).drive
     assert coarse.peak_to_peak_arcsec == pytest.approx(fine.peak_to_peak_arcsec, rel=1e-4)
     assert coarse.pattern_share == pytest.approx(fine.pattern_share, abs=0.02)
 
@@ -145,9 +203,9 @@ def test_shaft_angle_leaves_the_motion_alone() -> None:
 
 
 def test_mirrored_pair_has_mirrored_contact() -> None:
-    mirrored = pair_geometry(Design.model_validate({"pair": {"pinion_hand": "right"}}))
+    mirrored = crowned(20, 10, of=Design.model_validate({"pair": {"pinion_hand": "right"}}))
     given = Misalignment(0.03, 0.02, -0.01, 0.02)
-    ours, theirs = (contact_analysis(pair, given, relief=crowned(20, 10)) for pair in (PAIR, mirrored))
+    ours, theirs = (contact_analysis(pair, given) for pair in (crowned(20, 10), mirrored))
     for direction in DIRECTIONS:
         a, b = ours.direction(direction), theirs.direction(direction)
         assert a.ease_off_um == pytest.approx(b.ease_off_um, abs=1e-8)
@@ -165,9 +223,9 @@ def test_scale_scales_lengths_and_no_angles() -> None:
 
 def test_pattern_moves_as_engineers_expect() -> None:
     """On the drive side an offset moves the pattern to the toe, an axial shift of the pinion to its root."""
-    still = contact_analysis(PAIR, relief=crowned(20, 10)).drive.pattern_centre
-    offset = contact_analysis(PAIR, Misalignment(offset=0.05), relief=crowned(20, 10)).drive.pattern_centre
-    axial = contact_analysis(PAIR, Misalignment(pinion_axial=0.05), relief=crowned(20, 10)).drive.pattern_centre
+    still = contact_analysis(crowned(20, 10)).drive.pattern_centre
+    offset = contact_analysis(crowned(20, 10), Misalignment(offset=0.05)).drive.pattern_centre
+    axial = contact_analysis(crowned(20, 10), Misalignment(pinion_axial=0.05)).drive.pattern_centre
     assert still[0] == pytest.approx(0.5, abs=0.01)
     assert offset[0] < still[0] - 0.05
     assert axial[1] < still[1] - 0.04
@@ -207,18 +265,17 @@ def test_gaps_are_distances_in_space(misalignment: Misalignment) -> None:
 
 
 def test_path_of_contact_lies_on_both_flanks() -> None:
-    side = contact_analysis(PAIR, Misalignment(0.02), relief=crowned(20, 10)).drive
-    mesh = flank_mesh(PAIR, side.pinion.flank)
+    pair = crowned(20, 10)
+    side = contact_analysis(pair, Misalignment(0.02)).drive
+    mesh = flank_mesh(pair, side.pinion.flank)
     assert np.abs(mesh.wheel_flank.deviation(side.path.wheel_points)).max() < 1e-9
-    on_pinion = mesh.pinion_flank.deviation(side.path.pinion_points) * 1e3
-    relief = 20 * (2 * side.path.v - 1) ** 2 + 10 * (2 * side.path.u - 1) ** 2
-    assert on_pinion == pytest.approx(-relief, abs=1e-3)
+    assert np.abs(mesh.pinion_flank.deviation(side.path.pinion_points)).max() < 1e-9
     assert side.path.edges == ()
 
 
 def test_misalignment_gives_edge_contact_and_crowning_cures_it() -> None:
     bare = contact_analysis(PAIR, Misalignment(wheel_axial=0.05))
-    cured = contact_analysis(PAIR, Misalignment(wheel_axial=0.05), relief=crowned(25, 15))
+    cured = contact_analysis(crowned(25, 15), Misalignment(wheel_axial=0.05))
     assert {issue.code for issue in bare.warnings} == {"edge_contact"}
     assert cured.warnings == ()
 
@@ -268,7 +325,7 @@ def test_misalignment_must_be_finite() -> None:
 
 
 def test_thicker_compound_marks_more() -> None:
-    shares = [contact_analysis(PAIR, relief=crowned(20), thickness_um=t).drive.pattern_share for t in (2, 6.35, 15)]
+    shares = [contact_analysis(crowned(20), thickness_um=t).drive.pattern_share for t in (2, 6.35, 15)]
     assert shares == sorted(shares) and shares[0] < shares[2]
 
 
