@@ -9,17 +9,21 @@ import sys
 from collections.abc import Iterator
 
 from benchmarks import animation, compare, contact, gear, peers, startup, window
-from benchmarks.measurement import Measurement
+from benchmarks.measurement import Measurement, Remark
 
 RATIO, GAP_MS = 0.3, 50.0
 GEAR_RATIO, GROWTH, MEGABYTES = 0.1, 1.2, 4.0
 
 
-def measurements() -> Iterator[Measurement]:
+def measurements() -> Iterator[Measurement | Remark]:
     """One after the other, each as soon as it is measured."""
     peer = peers.measure()
     unit = statistics.median(peer)
     yield Measurement("py_gearworks 0.0.24, one 40-tooth wheel", peer, unit="s", decimals=2)
+
+    other = peers.measure_other()
+    title = "cq_gears, one 40-tooth wheel"
+    yield Remark(f"{title}: {other}") if isinstance(other, str) else Measurement(title, other, unit="s", decimals=2)
 
     for member in ("wheel", "pinion"):
         readings = [seconds / unit for seconds in compare.measure(member)]
@@ -29,7 +33,7 @@ def measurements() -> Iterator[Measurement]:
     yield Measurement("contact analysis, 100 × 60 points, 40 positions / py_gearworks", readings, contact.TARGET)
 
     title = "whole 40-tooth wheel, checked / py_gearworks"
-    yield Measurement(title, [seconds / unit for seconds in gear.measure()], GEAR_RATIO)
+    yield Measurement(title, gear.ratios(peers.build_wheel), GEAR_RATIO)
     yield Measurement("growth of that time with the teeth, exponent", [gear.growth()], GROWTH, decimals=2)
     yield Measurement("STEP file of that wheel", [gear.file_megabytes()], MEGABYTES, unit="MB", decimals=2)
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import statistics
 import tempfile
+from collections.abc import Callable
 from pathlib import Path
 
 from benchmarks.measurement import timed
@@ -27,6 +28,12 @@ def measure(teeth: int = 40, times: int = 7) -> list[float]:
     """Seconds of one build with its check, each time; the imports and one build before are not counted."""
     build_and_check(teeth)
     return timed(lambda: build_and_check(teeth), times)
+
+
+def ratios(peer: Callable[[], object], rounds: int = 5) -> list[float]:
+    """Time of a build with its check over that of a peer, in turn, so that a busy machine slows both alike."""
+    build_and_check()
+    return [statistics.median(timed(build_and_check, 3)) / timed(peer, 1)[0] for _ in range(rounds)]
 
 
 def growth() -> float:

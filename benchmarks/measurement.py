@@ -53,6 +53,17 @@ class Measurement:
         return f"{verdict:4}  {self.title:<58} {wanted:<22} {spread}   ({len(self.readings)} times)"
 
 
+@dataclass(frozen=True)
+class Remark:
+    """A line among the measurements that promises nothing."""
+
+    text: str
+    passed: bool = True
+
+    def __str__(self) -> str:
+        return f"      {self.text}"
+
+
 def timed(action: Callable[[], object], times: int) -> list[float]:
     """Seconds that the action took, each time."""
     readings = []
