@@ -9,7 +9,7 @@ from benchmarks.measurement import timed
 
 
 def build_wheel() -> object:
-    """By py_gearworks: a solid 40-tooth wheel to 17 at 90°: module 4 mm, spiral angle 35°, face width 0.3 of the cone distance."""
+    """By py_gearworks: 40 teeth to 17 at 90°, module 4 mm, spiral angle 35°, face width 0.3 of the cone distance."""
     import py_gearworks
 
     cone_distance = 0.5 * 4.0 * math.hypot(17, 40)
