@@ -9,6 +9,7 @@ from pathlib import Path
 from OCP.BRep import BRep_Builder, BRep_Tool
 from OCP.BRepCheck import BRepCheck_Analyzer
 from OCP.collections import Sequence_TDF_Label
+from OCP.Geom import Geom_BSplineSurface
 from OCP.IFSelect import IFSelect_ReturnStatus
 from OCP.Interface import Interface_Static
 from OCP.Message import Message, Message_PrinterOStream
@@ -67,12 +68,12 @@ def write_flanks_step(path: Path, surfaces: Mapping[str, NurbsSurface], name: st
 
 
 def read_flanks_step(path: Path) -> dict[str, NurbsSurface]:
-    """Read the named B-spline faces of a STEP file back [mm].
+    """Read the named B-spline faces of a STEP file back [mm]; cones, planes and the like are passed over.
 
     Raises
     ------
     FileError
-        Not a STEP file, or a face that is not valid or no B-spline.
+        Not a STEP file, or a face that is not valid.
     """
     settle()
     reader = STEPCAFControl_Reader()
@@ -93,7 +94,9 @@ def read_flanks_step(path: Path) -> dict[str, NurbsSurface]:
             if shape.ShapeType() == TopAbs_ShapeEnum.TopAbs_FACE:
                 if not BRepCheck_Analyzer(shape).IsValid():
                     raise FileError(path, f"face {read_name(parts.Value(j))!r} is not valid after reading back")
-                found[read_name(parts.Value(j))] = to_record(BRep_Tool.Surface_s(TopoDS.Face(shape)))
+                surface = BRep_Tool.Surface_s(TopoDS.Face(shape))
+                if isinstance(surface, Geom_BSplineSurface):
+                    found[read_name(parts.Value(j))] = to_record(surface)
     return found
 
 
