@@ -1,0 +1,1 @@
+"""Help inside the program: the equation browser, the guide, the glossary, the tour."""

@@ -1,0 +1,62 @@
+"""Opens what the Help menu offers, one window of each."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject
+from PySide6.QtWidgets import QDialog
+
+from ui.help.equations import EquationBrowser
+from ui.help.guide import GuideWindow
+
+if TYPE_CHECKING:
+    from ui.main_window import MainWindow
+    from ui.session import Session
+
+
+class HelpDesk(QObject):
+    """The windows of the Help menu."""
+
+    def __init__(self, session: Session, window: MainWindow) -> None:
+        super().__init__(window)
+        self._session, self._window = session, window
+        self._guide: GuideWindow | None = None
+        self._equations: EquationBrowser | None = None
+        commands = window.commands
+        commands["guide"].triggered.connect(lambda: self.open_guide())
+        commands["glossary"].triggered.connect(lambda: self.open_guide("glossary"))
+        commands["equations"].triggered.connect(lambda: self.open_equations())
+
+    def open_guide(self, page: str = "guide") -> GuideWindow:
+        """Show a page of the guide."""
+        if self._guide is None:
+            self._guide = GuideWindow(self._window, page)
+            self._guide.finished.connect(self._forget_guide)
+        self._guide.show_page(page)
+        _to_front(self._guide)
+        return self._guide
+
+    def open_equations(self, key: str = "") -> EquationBrowser:
+        """Show the equation browser, at an equation."""
+        if self._equations is None:
+            self._equations = EquationBrowser(self._session, self._window)
+            self._equations.finished.connect(self._forget_equations)
+        _to_front(self._equations)
+        if key:
+            self._equations.choose(key)
+        return self._equations
+
+    def _forget_guide(self) -> None:
+        if self._guide is not None:
+            self._guide.deleteLater()
+        self._guide = None
+
+    def _forget_equations(self) -> None:
+        self._equations = None
+
+
+def _to_front(window: QDialog) -> None:
+    window.show()
+    window.raise_()
+    window.activateWindow()
