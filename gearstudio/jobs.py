@@ -18,6 +18,7 @@ from gearstudio.errors import FileError
 from gearstudio.files import named_errors
 
 if TYPE_CHECKING:
+    from gearstudio.analysis.convergence import ConvergencePoint
     from gearstudio.catalogue import MemberName, Variant
     from gearstudio.design import Design
     from gearstudio.exchange.measured_step import SampledModel
@@ -26,7 +27,7 @@ if TYPE_CHECKING:
 Report = Callable[[str, float], None]
 """Takes the stage that begins and the fraction done, 0 to 1."""
 
-Purpose = Literal["build", "solid", "export", "sample", "report"]
+Purpose = Literal["build", "solid", "export", "sample", "study", "report"]
 
 FORMATS = {
     "flanks": ("step",),
@@ -101,6 +102,28 @@ class GearJob(Job):
         from gearstudio.methods.gear import solid_result
 
         return solid_result(self.design, self.member, self.method, self.variant, self.construction, report)
+
+
+@dataclass(frozen=True)
+class StudyJob(Job):
+    """Build both flanks of a member by one method with a given effort: one point of a study of convergence."""
+
+    purpose: ClassVar[Purpose] = "study"
+
+    design: Design
+    member: str
+    method: str
+    count: int
+
+    @property
+    def label(self) -> str:
+        return f"studying {self.method}, {self.count}"
+
+    def run(self, report: Report) -> ConvergencePoint:
+        from gearstudio.analysis.convergence import convergence_point
+
+        report("building", 0.0)
+        return convergence_point(self.design, self.member, self.method, self.count)
 
 
 @dataclass(frozen=True)

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import time
+from collections.abc import Callable
+from functools import partial
 
 from gearstudio.analysis.deviation import deviation_map, statistics
 from gearstudio.catalogue import Variant
@@ -36,13 +38,41 @@ def build_variant(
     ModellingError
         The kernel could not make a flank, or the tolerance was not reached.
     """
+    return _compared(
+        design,
+        member,
+        method_id,
+        variant,
+        samples,
+        lambda flank, target: method(method_id).build(flank, variant, target),
+    )
+
+
+def build_with_count(
+    design: Design, member: str, method_id: str, count: int, samples: tuple[int, int] = DEFAULT_SAMPLES
+) -> VariantResult:
+    """As `build_variant`, optimised, with a given effort instead of a tolerance that is met (`Method.build_with`)."""
+    return _compared(
+        design, member, method_id, "optimised", samples,
+        lambda flank, target: method(method_id).build_with(flank, count, target),
+    )  # fmt: skip
+
+
+def _compared(
+    design: Design,
+    member: str,
+    method_id: str,
+    variant: Variant,
+    samples: tuple[int, int],
+    build: Callable[[Flank, Target], Construction],
+) -> VariantResult:
     geometry = pair_geometry(design).member(member)
     target = Target.for_cone_distance(
         design.methods.tolerance_um, geometry.outer_cone_distance, design.methods.point_cloud_degree
     )
     started = time.perf_counter()
     flanks = [flank_of(geometry, name) for name in FLANKS]
-    built = [(flank, _build(flank, method_id, variant, target)) for flank in flanks]
+    built = [(flank, _built(flank, method_id, variant, partial(build, flank, target))) for flank in flanks]
     seconds = time.perf_counter() - started
     results: dict[str, FlankResult] = {
         flank.name: _measure(flank, construction, samples) for flank, construction in built
@@ -61,11 +91,11 @@ def build_variant(
     )
 
 
-def _build(flank: Flank, method_id: str, variant: Variant, target: Target) -> Construction:
+def _built(flank: Flank, method_id: str, words: str, build: Callable[[], Construction]) -> Construction:
     try:
-        return method(method_id).build(flank, variant, target)
+        return build()
     except GeometryError as error:
-        raise ModellingError(method_id, f"{variant} {flank.name} flank", str(error)) from error
+        raise ModellingError(method_id, f"{words} {flank.name} flank", str(error)) from error
 
 
 def _measure(flank: Flank, construction: Construction, samples: tuple[int, int]) -> FlankResult:

@@ -2,43 +2,47 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 
+from gearstudio.design import Design
 from gearstudio.errors import GeometryError, ModellingError
-from gearstudio.results import VariantResult
 
-DEFAULT_TOLERANCES_UM = tuple(float(x) for x in np.geomspace(100.0, 0.003, 10))
-EFFORTS = {"rotating_line": "positions", "profile_sweep": "sections", "point_cloud": "grid"}
+Effort = Literal["count", "poles", "seconds"]
+DEFAULT_COUNTS = (4, 5, 6, 7, 8, 10, 12, 15, 19, 24, 30, 38, 48)
+COUNTED = {"rotating_line": "positions", "profile_sweep": "sections", "point_cloud": "points along each side"}
+_SAMPLES = (41, 41)
+_SHORT_S = 0.2
+_REPETITIONS = 3
 
 
 @dataclass(frozen=True)
 class ConvergencePoint:
-    """One construction: what was asked for, what it took and how far it is from theory.
+    """One construction: what it took and how far it is from theory.
 
     Attributes
     ----------
-    tolerance_um : float
-    effort : int
-        Positions, sections, or points of the grid.
+    count : int
+        What `COUNTED` says of the method.
     poles : int
         Of the heavier flank's surface.
-    max_um, rms_um : float
-        Over both flanks.
     seconds : float
+        For both flanks; of short ones the shortest of a few.
+    max_um, mean_um, rms_um : float
+        Over both flanks, of absolute values.
     settings : mapping
         As the method tells them.
     """
 
-    tolerance_um: float
-    effort: int
+    count: int
     poles: int
-    max_um: float
-    rms_um: float
     seconds: float
+    max_um: float
+    mean_um: float
+    rms_um: float
     settings: Mapping[str, Any] = field(default_factory=dict)
 
 
@@ -49,77 +53,107 @@ class ConvergenceStudy:
     Attributes
     ----------
     method : str
-    effort_name : str
-        What `ConvergencePoint.effort` counts.
     points : tuple of ConvergencePoint
-        Without repetitions of the same effort.
-    stopped : str
-        Why the finest tolerances are missing; empty when none is.
+        With growing count.
+    failures : mapping of int to str
+        Counts with which the kernel made no flank, and why.
     """
 
     method: str
-    effort_name: str
     points: tuple[ConvergencePoint, ...]
-    stopped: str = ""
+    failures: Mapping[int, str] = field(default_factory=dict)
 
-    @property
-    def order(self) -> float:
-        """The power of the poles by which the largest deviation falls, by a straight line in logarithms.
+    def order(self, effort: Effort = "poles") -> float:
+        """The power of the effort by which the largest deviation falls, where it falls fastest.
+
+        The steepest slope in logarithms over three neighbouring points: before, the construction is too coarse
+        for any order; after, it has come to the kernel's own accuracy.
 
         Raises
         ------
         GeometryError
-            Fewer than two different numbers of poles.
+            Fewer than three constructions.
         """
-        poles, worst = (np.log([getattr(p, name) for p in self.points]) for name in ("poles", "max_um"))
-        if len(np.unique(poles)) < 2:
-            raise GeometryError("the order of convergence takes two constructions with different numbers of poles")
-        return float(-np.polyfit(poles, worst, 1)[0])
+        if len(self.points) < 3:
+            raise GeometryError("the order of convergence takes three constructions or more")
+        size, worst = (np.log([getattr(point, name) for point in self.points]) for name in (effort, "max_um"))
+        slopes = [
+            -np.polyfit(size[k : k + 3], worst[k : k + 3], 1)[0]
+            for k in range(len(size) - 2)
+            if np.ptp(size[k : k + 3]) > 0
+        ]
+        return float(max(slopes, default=0.0))
 
     def reaching(self, tolerance_um: float) -> ConvergencePoint | None:
-        """The least effort whose largest deviation is within a tolerance, if any is."""
-        good = [point for point in self.points if point.max_um <= tolerance_um]
-        return min(good, key=lambda point: point.effort, default=None)
+        """The least count from which on the largest deviation stays within a tolerance, if there is one."""
+        good = None
+        for point in reversed(self.points):
+            if point.max_um > tolerance_um:
+                break
+            good = point
+        return good
+
+
+def convergence_point(design: Design, member: str, method: str, count: int) -> ConvergencePoint:
+    """Build both flanks of a member with a given effort and measure them.
+
+    Raises
+    ------
+    ModellingError
+        The kernel made no flank.
+    """
+    from gearstudio.analysis.comparison import build_with_count
+
+    results = [build_with_count(design, member, method, count, _SAMPLES)]
+    while results[0].seconds < _SHORT_S and len(results) < _REPETITIONS:
+        results.append(build_with_count(design, member, method, count, _SAMPLES))
+    result = results[0]
+    return ConvergencePoint(
+        count=count,
+        poles=int(np.prod(result.poles)),
+        seconds=min(one.seconds for one in results),
+        max_um=result.statistics.max_um,
+        mean_um=result.statistics.mean_um,
+        rms_um=result.statistics.rms_um,
+        settings=result.settings,
+    )
 
 
 def convergence_study(
     method: str,
-    build: Callable[[float], VariantResult],
-    tolerances_um: Sequence[float] = DEFAULT_TOLERANCES_UM,
+    build: Callable[[int], ConvergencePoint],
+    counts: Sequence[int] = DEFAULT_COUNTS,
     report: Callable[[str, float], None] | None = None,
 ) -> ConvergenceStudy:
-    """Let a method meet tighter and tighter tolerances.
+    """Build with more and more effort.
 
     Parameters
     ----------
     method : str
         Of interface.md.
     build : callable
-        From a tolerance [µm] to the optimised variant that meets it.
-    tolerances_um : sequence of float
+        From a count to its construction; a ModellingError is noted, and the study goes on.
+    counts : sequence of int
     report : callable, optional
         Told the stage and the part done.
     """
-    name = EFFORTS[method]
-    found: list[ConvergencePoint] = []
-    stopped = ""
-    for number, tolerance in enumerate(sorted(tolerances_um, reverse=True)):
+    points, failures = [], {}
+    for number, count in enumerate(sorted(set(counts))):
         if report is not None:
-            report(f"{method}, {tolerance:.3g} µm", number / len(tolerances_um))
+            report(f"{method}, {count} {COUNTED[method]}", number / len(counts))
         try:
-            result = build(tolerance)
+            points.append(build(count))
         except ModellingError as error:
-            stopped = str(error)
-            break
-        point = ConvergencePoint(
-            tolerance_um=tolerance,
-            effort=int(np.prod(result.settings[name])),
-            poles=int(np.prod(result.poles)),
-            max_um=result.statistics.max_um,
-            rms_um=result.statistics.rms_um,
-            seconds=result.seconds,
-            settings=result.settings,
-        )
-        if not found or (point.effort, point.poles) != (found[-1].effort, found[-1].poles):
-            found.append(point)
-    return ConvergenceStudy(method, name, tuple(found), stopped)
+            failures[count] = str(error)
+    return ConvergenceStudy(method, tuple(points), failures)
+
+
+def studies_of(found: Iterable[tuple[str, ConvergencePoint]]) -> dict[str, ConvergenceStudy]:
+    """Studies from (method, point) in any order."""
+    grouped: dict[str, list[ConvergencePoint]] = {}
+    for method, point in found:
+        grouped.setdefault(method, []).append(point)
+    return {
+        method: ConvergenceStudy(method, tuple(sorted(points, key=lambda point: point.count)))
+        for method, points in grouped.items()
+    }

@@ -6,6 +6,7 @@ import argparse
 from typing import TYPE_CHECKING, Any
 
 from gearstudio.catalogue import MEMBERS, METHOD_INFOS, VARIANTS
+from gearstudio.cli.convergence import studies, study_records, study_text
 from gearstudio.cli.output import STANDARD_OUTPUT, Progress, problem, table, write_json
 from gearstudio.design import Design
 from gearstudio.errors import ModellingError
@@ -21,16 +22,20 @@ def run(args: argparse.Namespace) -> int:
     """Carry the command out; the exit status is 1 when a variant could not be made."""
     design = open_design(args.design)
     members = MEMBERS if args.member == "both" else (args.member,)
-    progress = Progress()
+    progress, tolerance = Progress(), design.methods.tolerance_um
     try:
         compared, failures = compare(design, members, progress)
+        studied = {name: studies(design, name, progress) for name in members if args.convergence}
     finally:
         progress.clear()
     if args.json != STANDARD_OUTPUT:
         for name in members:
             print(f"{name} of {design.name}\n\n{_text(compared[name])}\n")
+        for name, found in studied.items():
+            print(f"convergence, {name} of {design.name}\n\n{study_text(found, tolerance)}\n")
     if args.json is not None:
-        write_json(args.json, {"members": compared})
+        records = {name: study_records(found, tolerance) for name, found in studied.items()}
+        write_json(args.json, {"members": compared, **({"convergence": records} if records else {})})
     for line in failures:
         problem(line)
     return 1 if failures else 0

@@ -66,6 +66,7 @@ def make_parser() -> argparse.ArgumentParser:
 
     made = command("compare", "build all methods and variants and print their deviations", compare.run)
     made.add_argument("--member", choices=(*MEMBERS, "both"), default="both", help="default: both")
+    made.add_argument("--convergence", action="store_true", help="also how the deviation falls with the effort")
     _add_json(made)
 
     made = command("points", "write the theoretical point cloud of a flank", points.run)

@@ -77,6 +77,24 @@ class Method(Protocol):
         """
         ...
 
+    def build_with(self, flank: Flank, count: int, target: Target) -> Construction:
+        """Model a flank as the optimised variant does, with a given effort and whatever deviation comes of it.
+
+        Parameters
+        ----------
+        flank : Flank
+        count : int
+            Positions, sections, or points along each side of the grid; other counts follow from it.
+        target : Target
+            Its tolerance decides nothing but how closely the kernel follows what it is given.
+
+        Raises
+        ------
+        ModellingError, GeometryError
+            The kernel could not.
+        """
+        ...
+
 
 def between(nodes: Floats) -> Floats:
     """Places between neighbouring nodes where an interpolation is looked at: three in each gap."""

@@ -42,18 +42,22 @@ class PointCloud:
         surface = oriented(interpolated_points(points), corners)
         return Construction(surface, _cloud(points), {"grid": [cols, rows], "spacing": "even", "parameters": "kernel"})
 
+    def build_with(self, flank: Flank, count: int, target: Target) -> Construction:
+        """See `Method.build_with`."""
+        return self._attempt(flank, (count, count), target)[0]
+
     def _optimised(self, flank: Flank, target: Target) -> Construction:
+        goal, order = SAFETY * target.tolerance, target.point_cloud_degree + 1
+        refinement = Refinement(self.info.id, goal, (order, order))
+        return refinement.run(FIRST_GRID, lambda counts: self._attempt(flank, counts, target))
+
+    def _attempt(self, flank: Flank, counts: tuple[int, ...], target: Target) -> tuple[Construction, tuple[float, ...]]:
         degree = target.point_cloud_degree
-
-        def attempt(counts: tuple[int, ...]) -> tuple[Construction, tuple[float, ...]]:
-            u, v = (denser_to_the_ends(max(n, degree + 1)) for n in counts)
-            points = flank.points(u[:, None], flank.along(v)[None, :])
-            surface = reconstructed(u, v, points, degree, flank.starts_on_base)
-            settings = {"grid": [len(u), len(v)], "spacing": "non-uniform", "parameters": "psi, trace"}
-            return Construction(surface, _cloud(points), settings), node_errors(flank, surface, u, v)
-
-        goal = SAFETY * target.tolerance
-        return Refinement(self.info.id, goal, (degree + 1, degree + 1)).run(FIRST_GRID, attempt)
+        u, v = (denser_to_the_ends(max(n, degree + 1)) for n in counts)
+        points = flank.points(u[:, None], flank.along(v)[None, :])
+        surface = reconstructed(u, v, points, degree, flank.starts_on_base)
+        settings = {"grid": [len(u), len(v)], "spacing": "non-uniform", "parameters": "psi, trace"}
+        return Construction(surface, _cloud(points), settings), node_errors(flank, surface, u, v)
 
 
 def denser_to_the_ends(count: int) -> Floats:

@@ -52,20 +52,24 @@ class ProfileSweep:
         curves = (*_drawn_sections(flank, np.array([0.0, 1.0])), ConstructionCurve("guide", trace))
         return Construction(surface, curves, {"sections": 2, "guides": 1, "sweep": "pipe along the tooth trace"})
 
-    def _optimised(self, flank: Flank, target: Target) -> Construction:
-        def attempt(counts: tuple[int, ...]) -> tuple[Construction, tuple[float, ...]]:
-            points, sections = counts
-            shares = np.linspace(0.0, 1.0, sections)
-            v = flank.along(shares)
-            skinned = skin([_section(flank, place, points) for place in v], _SKIN_SHARE * target.tolerance)
-            surface = oriented(skinned, flank.points([[0.0], [1.0]], [[0.0, 1.0]]))
-            curves = (*_drawn_sections(flank, v), *_drawn_guides(flank))
-            settings = {"sections": sections, "points": points, "guides": len(_GUIDE_PLACES), "sweep": "skin"}
-            construction = Construction(surface, curves, settings)
-            return construction, node_errors(flank, surface, np.linspace(0.0, 1.0, points), shares)
+    def build_with(self, flank: Flank, count: int, target: Target) -> Construction:
+        """See `Method.build_with`; a section has as many points as there are sections, or enough for its degree."""
+        return self._attempt(flank, (max(count, _CURVE_DEGREE + 1), count), target)[0]
 
-        goal = SAFETY * target.tolerance
-        return Refinement(self.info.id, goal, (_CURVE_DEGREE + 1, 7)).run((_FIRST_POINTS, _FIRST_SECTIONS), attempt)
+    def _optimised(self, flank: Flank, target: Target) -> Construction:
+        refinement = Refinement(self.info.id, SAFETY * target.tolerance, (_CURVE_DEGREE + 1, 7))
+        return refinement.run((_FIRST_POINTS, _FIRST_SECTIONS), lambda counts: self._attempt(flank, counts, target))
+
+    def _attempt(self, flank: Flank, counts: tuple[int, ...], target: Target) -> tuple[Construction, tuple[float, ...]]:
+        points, sections = counts
+        shares = np.linspace(0.0, 1.0, sections)
+        v = flank.along(shares)
+        skinned = skin([_section(flank, place, points) for place in v], _SKIN_SHARE * target.tolerance)
+        surface = oriented(skinned, flank.points([[0.0], [1.0]], [[0.0, 1.0]]))
+        curves = (*_drawn_sections(flank, v), *_drawn_guides(flank))
+        settings = {"sections": sections, "points": points, "guides": len(_GUIDE_PLACES), "sweep": "skin"}
+        construction = Construction(surface, curves, settings)
+        return construction, node_errors(flank, surface, np.linspace(0.0, 1.0, points), shares)
 
 
 def _section(flank: Flank, v: float, points: int) -> Curve:

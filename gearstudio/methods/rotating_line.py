@@ -84,11 +84,15 @@ class RotatingLine:
 
     def build(self, flank: Flank, variant: Variant, target: Target) -> Construction:
         """See `Method.build`."""
-        swept = flank.swept
-        built = self._swept(swept, variant, target)
-        if swept is flank:
-            return built
-        return replace(built, settings={**built.settings, **WITHOUT_MODIFICATIONS}, instead=swept)
+        return _said(flank, self._swept(flank.swept, variant, target))
+
+    def build_with(self, flank: Flank, count: int, target: Target) -> Construction:
+        """See `Method.build_with`; line and cut have as many points as positions, or enough for the degree."""
+        points = max(count, _CURVE_DEGREE + 1)
+        patch, line = _roll(flank.swept, points, count, _SKIN_SHARE * target.tolerance)
+        u, v = (np.linspace(0.0, 1.0, points) for _ in range(2))
+        settings = {"positions": count, "points": points, "cut": [points, points]}
+        return _said(flank, Construction(_cut(patch, u, v), line, settings))
 
     def _swept(self, flank: InvoluteFlank, variant: Variant, target: Target) -> Construction:
         if variant == "published":
@@ -121,6 +125,13 @@ class RotatingLine:
             (_FIRST_POINTS, _FIRST_POSITIONS), attempt
         )
         return found[0], positions
+
+
+def _said(flank: Flank, built: Construction) -> Construction:
+    """With a word in its settings where another flank was modelled than the one wanted."""
+    if flank.swept is flank:
+        return built
+    return replace(built, settings={**built.settings, **WITHOUT_MODIFICATIONS}, instead=flank.swept)
 
 
 def _roll(

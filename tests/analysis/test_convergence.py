@@ -2,56 +2,90 @@
 
 from __future__ import annotations
 
-import numpy as np
+import json
+
 import pytest
 
-from gearstudio.analysis.comparison import build_variant
-from gearstudio.analysis.convergence import convergence_study
+from gearstudio import cli
+from gearstudio.analysis.convergence import (
+    COUNTED,
+    ConvergencePoint,
+    convergence_point,
+    convergence_study,
+    studies_of,
+)
 from gearstudio.catalogue import METHOD_IDS
-from gearstudio.design import Design, with_field
+from gearstudio.design import Design
 from gearstudio.errors import GeometryError, ModellingError
-from gearstudio.results import Statistics, VariantResult
+from tests.designs import GOLDEN
 
 
-def made_up(tolerance_um: float) -> VariantResult:
-    """A method of fourth order in its poles that gives up below 0.01 µm."""
-    if tolerance_um < 0.01:
-        raise ModellingError("profile_sweep", "refinement", "gave up")
-    sections = int(np.ceil((1e4 / tolerance_um) ** 0.25))
-    error = 1e4 / sections**4
-    statistics = Statistics(error, error / 2, error / 2, -error, error)
-    return VariantResult(
-        "wheel", "profile_sweep", "optimised", {}, statistics, (1, sections), (3, 3), 0.1, {"sections": sections}
-    )
+def made_up(count: int) -> ConvergencePoint:
+    """A method of fourth order in its count that the kernel refuses below 5, and that ends at 0.01 µm."""
+    if count < 5:
+        raise ModellingError("profile_sweep", "skin", "gave up")
+    error = max(1e4 / count**4, 0.01)
+    return ConvergencePoint(count, count**2, 1e-3 * count, error, error / 3, error / 2)
 
 
 def test_known_order_and_effort() -> None:
-    study = convergence_study("profile_sweep", made_up, [1.0, 100.0, 0.1, 10.0, 0.02, 0.001])
-    assert study.order == pytest.approx(4)
-    assert study.effort_name == "sections" and "gave up" in study.stopped
-    assert [point.tolerance_um for point in study.points] == [100.0, 10.0, 1.0, 0.1, 0.02]
-    reached = study.reaching(1.0)
-    assert reached is not None and reached.effort == 10
-    assert study.reaching(1e-6) is None
-
-
-def test_equal_efforts_are_told_once() -> None:
     told: list[float] = []
-    study = convergence_study("profile_sweep", made_up, [1.0, 1.0, 0.999999], lambda stage, done: told.append(done))
-    assert len(study.points) == 2 and told == [0, 1 / 3, 2 / 3]
-    with pytest.raises(GeometryError, match="two constructions"):
-        _ = convergence_study("profile_sweep", made_up, [1.0]).order
+    study = convergence_study("profile_sweep", made_up, [40, 5, 3, 10, 20, 80], lambda stage, part: told.append(part))
+    assert [point.count for point in study.points] == [5, 10, 20, 40, 80]
+    assert list(study.failures) == [3] and "gave up" in study.failures[3]
+    assert told == [k / 6 for k in range(6)]
+    assert study.order("count") == pytest.approx(4) and study.order("poles") == pytest.approx(2)
+    assert study.order("seconds") == pytest.approx(4)
+    for tolerance, count in ((1.0, 10), (0.99, 20), (0.01, 40), (17, 5)):
+        reached = study.reaching(tolerance)
+        assert reached is not None and reached.count == count
+    assert study.reaching(0.001) is None
+
+
+def test_a_tolerance_is_reached_only_when_it_stays_so() -> None:
+    errors = {6: 0.5, 8: 2.0, 10: 0.4, 12: 0.1}
+    study = convergence_study(
+        "point_cloud", lambda n: ConvergencePoint(n, n * n, 0.1, errors[n], 0.0, 0.0), list(errors)
+    )
+    reached = study.reaching(1.0)
+    assert reached is not None and reached.count == 10
+
+
+def test_an_order_takes_three_constructions() -> None:
+    with pytest.raises(GeometryError, match="three"):
+        convergence_study("profile_sweep", made_up, [10, 20]).order()
+    study = studies_of([("point_cloud", made_up(20)), ("point_cloud", made_up(10)), ("profile_sweep", made_up(5))])
+    assert [point.count for point in study["point_cloud"].points] == [10, 20] and len(study) == 2
 
 
 @pytest.mark.kernel
 @pytest.mark.parametrize("method", METHOD_IDS)
-def test_methods_converge(method: str) -> None:
-    def build(tolerance_um: float) -> VariantResult:
-        design = with_field(Design(), "methods.tolerance_um", tolerance_um)
-        return build_variant(design, "wheel", method, "optimised", (31, 31))
+@pytest.mark.parametrize("name", [None, *list(GOLDEN)[:3]])
+def test_methods_converge(method: str, name: str | None) -> None:
+    design = Design() if name is None else GOLDEN[name][0]
+    study = convergence_study(method, lambda n: convergence_point(design, "wheel", method, n), [4, 8, 16, 40])
+    assert not study.failures
+    counted = {"positions": "positions", "sections": "sections"}.get(COUNTED[method], "grid")
+    for point in study.points:
+        told = point.settings[counted]
+        assert told == (point.count if counted != "grid" else [point.count, point.count])
+        assert 0 < point.rms_um <= point.max_um and point.seconds > 0
+    coarse, *_, fine = study.points
+    assert fine.poles > coarse.poles and fine.max_um < 0.1 * coarse.max_um
+    assert study.reaching(design.methods.tolerance_um) is not None
+    assert study.order("count") > 3
 
-    study = convergence_study(method, build, [50.0, 2.0, 0.1, 0.005])
-    assert study.stopped == ""
-    assert [p.max_um for p in study.points] == sorted((p.max_um for p in study.points), reverse=True)
-    assert all(point.max_um <= point.tolerance_um for point in study.points)
-    assert study.points[-1].effort > 0 and study.points[-1].seconds > 0
+
+@pytest.mark.kernel
+def test_the_command_writes_the_study(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    monkeypatch.setattr("gearstudio.analysis.convergence.convergence_study.__defaults__", ((5, 8, 12), None))
+    assert cli.main(["compare", "preset:default", "--member", "wheel", "--convergence", "--json", "-"]) == 0
+    record = json.loads(capsys.readouterr().out)
+    assert set(record["members"]["wheel"]) == set(METHOD_IDS) == set(record["convergence"]["wheel"])
+    for study in record["convergence"]["wheel"].values():
+        assert [point["count"] for point in study["points"]] == [5, 8, 12]
+        assert {"poles", "seconds", "max_um", "mean_um", "rms_um", "settings"} <= study["points"][0].keys()
+        assert study["reaching"]["max_um"] <= study["tolerance_um"] == 0.05
+    assert cli.main(["compare", "preset:default", "--member", "wheel", "--convergence"]) == 0
+    text = capsys.readouterr().out
+    assert "convergence, wheel" in text and text.count("stays within 0.05 µm: with") == 3

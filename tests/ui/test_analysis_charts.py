@@ -218,3 +218,56 @@ def surface_through(member, name):
 
 def test_small_numbers_are_written_as_people_do() -> None:
     assert [power_of_ten(value) for value in (0.0, -1.47e-4, 2.5e-12)] == ["0", "−1.47·10⁻⁴", "2.50·10⁻¹²"]
+
+
+def test_a_study_is_made_job_by_job_and_drawn(qtbot, theme) -> None:
+    from gearstudio.analysis.convergence import DEFAULT_COUNTS, ConvergencePoint
+    from gearstudio.design import Design, with_field
+    from tests.ui.stand_ins import FakeRunner
+    from ui.analysis.cad_jobs import CadJobs
+    from ui.analysis.charts_page import ChartsPage
+
+    runner, jobs, session = FakeRunner(), CadJobs(), Session()
+    jobs.use_runner(runner)
+    page = ChartsPage(jobs)
+    qtbot.addWidget(page)
+    page.show()
+    session.load(Design())
+    page.show_session(session)
+    page.show_kind("convergence")
+    part = page.convergence
+    assert part.run.isVisible() and not page.flanks.isVisible() and page.chart.data.note
+
+    def answer() -> None:
+        (job,) = runner.jobs
+        error = 1e3 / job.count**5 if job.method != "point_cloud" else 1.0
+        runner.job_done.emit(job, ConvergencePoint(job.count, job.count**2, 0.01, error, error, error))
+
+    part.run.click()
+    assert part.running and len(runner.requests) == 1
+    answer()
+    assert len(runner.requests) == 2 and len(page.chart.data.series) == 1
+    (job,) = runner.jobs
+    runner.job_failed.emit(job, "the kernel could not", "")
+    for _ in range(3 * len(DEFAULT_COUNTS) - 2):
+        answer()
+    assert not part.running and part.failures == 1 and len(runner.requests) == 3 * len(DEFAULT_COUNTS)
+    data = page.chart.data
+    assert data.x.log and data.y.log and len(data.series) == 3 and data.references[0].value == 0.05
+    assert "Point cloud: –" in page.frame.hint.text() or "–" in page.frame.hint.text()
+    part.effort.setCurrentIndex(1)
+    part.effort.activated.emit(1)
+    assert page.chart.data.series[0].x[-1] == DEFAULT_COUNTS[-1] ** 2
+    part.size.setCurrentIndex(3)
+    part.size.activated.emit(3)
+    assert not page.chart.data.references and page.chart.table.head[0] == "method"
+    part.run.click()
+    part.run.click()
+    assert not part.running
+    answer()
+    assert not part.found, "a point of a study that was ended is dropped"
+    part.run.click()
+    session.load(with_field(Design(), "pair.wheel_teeth", 41))
+    page.show_session(session)
+    assert not part.running and not page.chart.data.series
+    page.close_page()

@@ -9,6 +9,8 @@ from PySide6.QtWidgets import QCheckBox, QComboBox, QStackedWidget, QVBoxLayout,
 
 from gearstudio.catalogue import METHOD_IDS
 from gearstudio.theory.flank import FLANKS
+from ui.analysis.cad_jobs import CadJobs
+from ui.analysis.convergence_part import ConvergencePart
 from ui.analysis.curvature_view import QUANTITIES, Wanted, curvature_maps
 from ui.analysis.deviation_series import PATHS, Choice, deviation_chart, histogram_chart
 from ui.charts.chart import Chart
@@ -20,6 +22,7 @@ from ui.session import Key, Session
 KINDS = (
     ("points", "Points", "Deviation along a series of points, as the paper's Fig. 12"),
     ("histogram", "Histogram", "How often which deviation occurs"),
+    ("convergence", "Convergence", "Deviation against positions, sections or points, poles, and seconds"),
     ("curvature", "Curvature", "Curvature of the modelled flanks, as the paper's Fig. 11, or its difference to theory"),
 )
 
@@ -34,8 +37,9 @@ class ChartsPage(QWidget):
 
     said = Signal(str, str)
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, jobs: CadJobs | None = None, parent: QWidget | None = None) -> None:
         super().__init__(parent)
+        self.convergence = ConvergencePart(jobs or CadJobs(self), self)
         self._session: Session | None = None
         self._choice = Choice("wheel", "concave")
         self.kind, self._hint = "points", ""
@@ -65,7 +69,9 @@ class ChartsPage(QWidget):
         self.against.addItem("Less theory", True)
         curves, maps = (self.paths, self.scale, self.paper), (self.quantities, self.against)
         self._own = {"points": curves, "histogram": curves[1:], "curvature": maps}
-        for control in (self.kinds, self.flanks, *curves, *maps):
+        self._own = {kind: (self.flanks, *own) for kind, own in self._own.items()}
+        self._own["convergence"] = self.convergence.controls
+        for control in (self.kinds, self.flanks, *curves, *maps, *self.convergence.controls):
             self.frame.add_control(control)
         self.kinds.set_choice(self.kind)
         self.flanks.set_choice(self._choice.flank)
@@ -77,6 +83,7 @@ class ChartsPage(QWidget):
             combo.activated.connect(lambda _index: self._choose())
         self.map.pointed.connect(lambda text: self.frame.set_hint(text or self._hint))
         self.paper.toggled.connect(lambda on: self._choose(paper=on))
+        self.convergence.changed.connect(lambda: self.kind == "convergence" and self._choose())
         self.frame.said.connect(self.said)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
@@ -86,6 +93,7 @@ class ChartsPage(QWidget):
     def show_session(self, session: Session) -> None:
         """Draw the session's results."""
         self._session = session
+        self.convergence.show_session(session)
         self._choose(member=session.member)
 
     def refresh_theme(self) -> None:
@@ -94,7 +102,8 @@ class ChartsPage(QWidget):
         self.map.refresh_theme()
 
     def close_page(self) -> None:
-        """Nothing runs here."""
+        """Ask for nothing more."""
+        self.convergence.stop()
 
     def show_kind(self, kind: str) -> None:
         """Another chart, with its own choices."""
@@ -113,6 +122,9 @@ class ChartsPage(QWidget):
             return
         if self.kind == "curvature":
             self._show_curvature(self._session)
+        elif self.kind == "convergence":
+            self.chart.show_data(self.convergence.chart)
+            self._hint = self.convergence.hint
         else:
             make = deviation_chart if self.kind == "points" else histogram_chart
             self.chart.show_data(make(self._session.results, self._choice))

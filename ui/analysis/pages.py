@@ -16,7 +16,7 @@ from ui.analysis.measurement_page import MeasurementPage
 def factories(jobs: CadJobs) -> Mapping[str, Callable[[], QWidget]]:
     """What makes each page; those that need the CAD process reach it through ``jobs``."""
     return {
-        "charts": ChartsPage,
+        "charts": lambda: ChartsPage(jobs),
         "contact": ContactPage,
         "datasheet": DatasheetPage,
         "measurement": lambda: MeasurementPage(jobs),
