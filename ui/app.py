@@ -231,7 +231,7 @@ def main(argv: Sequence[str] | None = None) -> int:
         studio.window.messages.show_message("warning", opened.complaint, topic="settings")
     studio.loader.finished.connect(keep_what_is_loaded)
     catcher = CrashCatcher(application)
-    catcher.crashed.connect(studio.report_crash)
+    catcher.crashed.connect(studio.report_crash, Qt.ConnectionType.QueuedConnection)  # errors come while painting too
     catcher.install()
     studio.window.show()
     return application.exec()

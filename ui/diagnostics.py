@@ -89,10 +89,14 @@ class CrashCatcher(QObject):
     Signals
     -------
     crashed(str)
-        The report, with traceback and versions.
+        The report, with traceback and versions; once for each error, however often it comes.
     """
 
     crashed = Signal(str)
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._told: set[str] = set()
 
     def install(self) -> None:
         """Become the interpreter's hook for uncaught exceptions."""
@@ -105,7 +109,9 @@ class CrashCatcher(QObject):
             return
         text = "".join(traceback.format_exception(kind, error, trace))
         log.critical("unexpected error\n%s", text)
-        self.crashed.emit(f"{text}\n{versions()}")
+        if text not in self._told:
+            self._told.add(text)
+            self.crashed.emit(f"{text}\n{versions()}")
 
     def _on_thread_exception(self, args: threading.ExceptHookArgs) -> None:
         if args.exc_value is not None:

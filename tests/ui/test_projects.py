@@ -1,0 +1,331 @@
+"""Recent files, two windows with one design, backups, drops, and two designs side by side."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import QMimeData, QObject, QSettings, QUrl, Signal
+from PySide6.QtWidgets import QMenu, QMessageBox
+
+from gearstudio.design import with_field
+from gearstudio.presets import PRESETS
+from gearstudio.project import load_design, save_design
+from tests.ui.stand_ins import Bench
+from ui.projects import windows
+from ui.projects.backups import Backups
+from ui.projects.compare_dialog import CompareDialog
+from ui.projects.desk import Desk
+from ui.projects.differences import as_text, differences
+from ui.projects.drops import Drops, dropped_files
+from ui.projects.lock import ProjectLock
+from ui.projects.recent import Recent
+
+ROOT = Path(__file__).resolve().parents[2]
+pytestmark = pytest.mark.ui
+TEETH = "pair.wheel_teeth"
+
+
+@pytest.fixture
+def bench(qtbot, theme) -> Iterator[Bench]:
+    made = Bench()
+    made.window.show()
+    yield made
+    made.close()
+
+
+@pytest.fixture
+def desk(bench: Bench, tmp_path) -> Desk:
+    data = tmp_path / "data"
+    return Desk(bench.session, bench.window, bench.files, bench.controller.edits, data, bench.files)
+
+
+@pytest.fixture
+def design(tmp_path) -> Path:
+    path = tmp_path / "axle.gear.toml"
+    save_design(path, PRESETS[4].design)
+    return path
+
+
+def settings(tmp_path) -> QSettings:
+    return QSettings(str(tmp_path / "settings.ini"), QSettings.Format.IniFormat)
+
+
+# --- recent files
+
+
+def test_recent_files_are_remembered_newest_first(qtbot, theme, tmp_path) -> None:
+    paths = [tmp_path / f"{number}.gear.toml" for number in range(15)]
+    for path in paths:
+        path.touch()
+    menu = QMenu()
+    recent = Recent(menu, settings(tmp_path))
+    for path in [*paths, paths[12]]:
+        recent.add(path)
+    assert recent.paths[:3] == (paths[12], paths[14], paths[13]) and len(set(recent.paths)) == 12
+    assert Recent(QMenu(), settings(tmp_path)).paths == recent.paths
+    chosen: list[Path] = []
+    recent.chosen.connect(chosen.append)
+    menu.actions()[1].trigger()
+    assert chosen == [paths[14]]
+
+
+def test_missing_recent_files_are_marked_and_removed(qtbot, theme, tmp_path) -> None:
+    here, gone = tmp_path / "here.gear.toml", tmp_path / "gone & away.gear.toml"
+    here.touch()
+    menu = QMenu()
+    recent = Recent(menu, settings(tmp_path))
+    recent.add(gone)
+    recent.add(here)
+    assert menu.actions()[0].isEnabled() and not menu.actions()[1].isEnabled()
+    assert "gone && away" in menu.actions()[1].text() and "missing" in menu.actions()[1].text()
+    next(action for action in menu.actions() if "missing ones" in action.text()).trigger()
+    assert recent.paths == (here,)
+    menu.actions()[-1].trigger()
+    assert recent.paths == () and not menu.actions()[-1].isEnabled()
+
+
+@pytest.mark.parametrize("stored", [None, "one", ["a", 3, None], 7, {"a": 1}, ["\0"], [""]])
+def test_strange_settings_do_no_harm(qtbot, theme, tmp_path, stored: object) -> None:
+    kept = settings(tmp_path)
+    kept.setValue("files/recent", stored)
+    recent = Recent(QMenu(), kept)
+    assert all(isinstance(path, Path) and path.name for path in recent.paths)
+
+
+def test_opening_and_saving_fill_the_menu(bench: Bench, desk: Desk, design: Path, tmp_path) -> None:
+    bench.files.open_path(design)
+    bench.session.path = tmp_path / "other.gear.toml"
+    bench.files.save()
+    assert desk.recent.paths == (tmp_path / "other.gear.toml", design)
+    bench.window.commands.recent.actions()[1].trigger()
+    assert bench.session.path == design
+
+
+# --- one design, two windows
+
+
+def test_the_second_to_lock_hears_of_the_first(design: Path) -> None:
+    first, second = ProjectLock(), ProjectLock()
+    assert first.take(design) is None and first.take(design) is None
+    holder = second.take(design)
+    assert holder is not None and holder.process_id == os.getpid() and str(os.getpid()) in str(holder)
+    first.release()
+    assert second.take(design) is None
+    second.release()
+    assert [path.name for path in design.parent.iterdir()] == [design.name]
+
+
+HOLD = "import sys; from pathlib import Path; from ui.projects.lock import ProjectLock; lock = ProjectLock();"
+HOLD += "print(lock.take(Path(sys.argv[1])), flush=True); sys.stdin.read()"
+
+
+def test_a_lock_dies_with_its_process(design: Path) -> None:
+    pipes = {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE, "text": True}
+    other = subprocess.Popen([sys.executable, "-c", HOLD, str(design)], cwd=ROOT, **pipes)
+    assert other.stdout is not None and other.stdout.readline().strip() == "None"
+    holder = ProjectLock().take(design)
+    assert holder is not None and holder.process_id == other.pid
+    other.send_signal(signal.SIGKILL)
+    other.wait(10)
+    lock = ProjectLock()
+    assert lock.take(design) is None
+    lock.release()
+
+
+@pytest.mark.parametrize("answer", ["read-only", "copy", ""])
+def test_a_design_in_use_is_opened_read_only_as_a_copy_or_not(
+    bench: Bench, design: Path, monkeypatch, tmp_path, answer: str
+) -> None:
+    other = ProjectLock()
+    other.take(design)
+    clicked: list[object] = []
+
+    def reply(box: QMessageBox) -> int:
+        assert str(os.getpid()) in box.text() and design.name in box.text()
+        clicked[:] = [button for button in box.buttons() if answer and answer in button.text().replace("&", "")]
+        return 0
+
+    monkeypatch.setattr(QMessageBox, "exec", reply)
+    monkeypatch.setattr(QMessageBox, "clickedButton", lambda _box: clicked[0] if clicked else None)
+    session, content = bench.session, design.read_bytes()
+    assert bench.files.open_path(design) == bool(answer)
+    assert (session.design == PRESETS[4].design) == bool(answer)
+    if answer == "read-only":
+        assert "read-only" in bench.window.windowTitle() and not session.unsaved
+        elsewhere = tmp_path / "mine.gear.toml"
+        monkeypatch.setattr("ui.files.QFileDialog.getSaveFileName", lambda *_: (str(design), ""))
+        bench.controller.edits.change(TEETH, 43)
+        assert not bench.files.save() and "not saved" in bench.window.messages.text
+        monkeypatch.setattr("ui.files.QFileDialog.getSaveFileName", lambda *_: (str(elsewhere), ""))
+        assert bench.files.save() and not session.read_only and load_design(elsewhere).pair.wheel_teeth == 43
+    elif answer == "copy":
+        assert session.path is None and session.unsaved
+    assert design.read_bytes() == content
+    other.release()
+
+
+def test_opening_another_design_gives_the_first_one_back(bench: Bench, design: Path, tmp_path) -> None:
+    other = tmp_path / "other.gear.toml"
+    save_design(other, PRESETS[1].design)
+    bench.files.open_path(design)
+    assert ProjectLock().take(design) is not None
+    bench.files.open_path(other)
+    assert ProjectLock().take(design) is None and ProjectLock().take(other) is not None
+    bench.files.new()
+    assert ProjectLock().take(other) is None
+
+
+def test_a_failed_save_elsewhere_keeps_the_lock(bench: Bench, design: Path, tmp_path, monkeypatch) -> None:
+    bench.files.open_path(design)
+    monkeypatch.setattr("ui.files.QFileDialog.getSaveFileName", lambda *_: (str(tmp_path / "no" / "b.gear.toml"), ""))
+    assert not bench.files.save_as() and bench.session.path == design
+    assert ProjectLock().take(design) is not None
+
+
+# --- backups
+
+
+def test_backups_rotate_and_hold_what_was_saved(tmp_path, design: Path) -> None:
+    backups = Backups(tmp_path / "kept", 3)
+    for teeth in (38, 39, 40, 40, 41, 43):
+        save_design(design, with_field(PRESETS[4].design, TEETH, teeth))
+        backups.keep(design)
+    copies = backups.of(design)
+    assert [load_design(copy.file).pair.wheel_teeth for copy in copies] == [43, 41, 40]
+    assert [copy.when for copy in copies] == sorted((copy.when for copy in copies), reverse=True)
+    other = tmp_path / "other" / design.name
+    assert backups.of(other) == [] and backups.designs() == [design.resolve()]
+
+
+def test_going_back_is_an_edit_that_undo_takes_back(bench: Bench, desk: Desk, design: Path) -> None:
+    bench.files.open_path(design)
+    for teeth in (38, 39, 43):
+        bench.controller.edits.change(TEETH, teeth)
+        assert bench.files.save()
+    dialog = desk.show_backups()
+    assert dialog.list.topLevelItemCount() == 3
+    assert dialog.list.topLevelItem(0).text(2) == "nothing" and "Wheel teeth" in dialog.list.topLevelItem(2).text(2)
+    dialog.list.setCurrentItem(dialog.list.topLevelItem(2))
+    dialog.restore.click()
+    assert bench.session.draft[TEETH] == 38 and bench.session.unsaved and bench.session.path == design
+    assert load_design(design).pair.wheel_teeth == 43
+    bench.controller.edits.undo()
+    assert bench.session.draft[TEETH] == 43 and not bench.session.unsaved
+
+
+def test_a_design_that_is_gone_comes_back_from_its_backups(bench: Bench, desk: Desk, design: Path) -> None:
+    bench.files.open_path(design)
+    assert bench.files.save()
+    bench.files.new()
+    design.unlink()
+    dialog = desk.show_backups()
+    assert "missing" in dialog.designs.currentText()
+    dialog.restore.click()
+    assert bench.session.design == PRESETS[4].design and bench.session.path == design and bench.session.unsaved
+    assert bench.files.save() and load_design(design) == PRESETS[4].design
+
+
+def test_a_damaged_backup_is_shown_as_such_and_cannot_be_taken(bench: Bench, desk: Desk, design: Path) -> None:
+    bench.files.open_path(design)
+    bench.files.save()
+    desk.backups.of(design)[0].file.write_text("format = = 1")
+    dialog = desk.show_backups()
+    assert dialog.list.topLevelItem(0).text(1) != "valid" and not dialog.restore.isEnabled()
+    dialog.reject()
+
+
+def test_without_backups_that_is_said(bench: Bench, desk: Desk) -> None:
+    assert desk.show_backups() is None and "no backups" in bench.window.messages.text
+    desk.recover()
+    assert "no unsaved work" in bench.window.messages.text
+
+
+# --- drops and windows
+
+
+class FakePage:
+    def __init__(self) -> None:
+        self.opened: list[Path] = []
+
+    def open_path(self, path: Path) -> None:
+        self.opened.append(path)
+
+
+class FakeArea(QObject):
+    page_made = Signal(object)
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.pages: dict[str, FakePage] = {}
+        self.shown: list[str] = []
+
+    def show_tab(self, tab: str) -> None:
+        self.shown.append(tab)
+
+
+def test_drops_are_sorted(tmp_path) -> None:
+    names = ("a.csv", "b.gear.toml", "c.png", "d.GEAR.TOML", "e.DAT")
+    data = QMimeData()
+    data.setUrls([QUrl.fromLocalFile(str(tmp_path / name)) for name in names] + [QUrl("https://example.com/f.csv")])
+    design, others = dropped_files(data)
+    assert design.name == "b.gear.toml" and [path.name for path in others] == ["a.csv", "d.GEAR.TOML", "e.DAT"]
+    assert dropped_files(QMimeData()) == (None, ())
+
+
+def test_points_wait_for_the_page_and_designs_get_windows(qtbot, monkeypatch, tmp_path) -> None:
+    started: list[tuple[str, ...]] = []
+    monkeypatch.setattr("ui.projects.drops.open_window", lambda *names: started.append(names))
+    area = FakeArea()
+    drops = Drops(area)
+    drops.take((tmp_path / "b.gear.toml", tmp_path / "a.csv"))
+    assert area.shown == ["measurement"] and started == [(str(tmp_path / "b.gear.toml"),)]
+    page = area.pages["measurement"] = FakePage()
+    area.page_made.emit(page)
+    assert page.opened == [tmp_path / "a.csv"]
+    drops.take((tmp_path / "c.ibl",))
+    assert page.opened[-1] == tmp_path / "c.ibl"
+
+
+def test_a_window_is_this_program_again(monkeypatch) -> None:
+    assert windows.command("a.gear.toml") == [sys.executable, str(ROOT / "main.py"), "a.gear.toml"]
+    monkeypatch.setattr(sys, "frozen", True, raising=False)
+    assert windows.command("a.gear.toml") == [sys.executable, "a.gear.toml"]
+
+
+# --- two designs side by side
+
+
+def test_differences_are_the_second_less_the_first() -> None:
+    first = PRESETS[0].design
+    lines = differences(first, with_field(first, "pair.outer_module", 8.0))
+    by_name = {(line.group.partition(":")[0], line.name): line for line in lines}
+    assert by_name["Parameters", "Outer module"].difference == "+4"
+    assert not by_name["Parameters", "Wheel teeth"].differs
+    distance = by_name["Pair", "Outer cone distance"]
+    assert float(distance.second) == pytest.approx(2 * float(distance.first), abs=2e-4)
+    assert not any(line.differs for line in differences(first, first))
+    assert as_text(lines).count("\n") == len(lines) + 1
+
+
+def test_the_comparison_follows_the_design_and_survives_a_bad_file(bench: Bench, design: Path, tmp_path, qtbot) -> None:
+    dialog = CompareDialog(bench.session, (design,), str(tmp_path), bench.window)
+    dialog.show()
+    dialog.compare_with(design)
+    qtbot.waitUntil(lambda: dialog.table.rowCount() > 0, timeout=10_000)
+    count = sum(line.differs for line in dialog.lines)
+    assert dialog.table.rowCount() == count
+    dialog.only.setChecked(False)
+    assert dialog.table.rowCount() == len(dialog.lines) > count
+    bench.session.load(PRESETS[4].design)
+    qtbot.waitUntil(lambda: not any(line.differs for line in dialog.lines), timeout=10_000)
+    design.write_text("format = 99")
+    dialog.compare_with(design)
+    qtbot.waitUntil(lambda: "cannot be compared" in dialog.words.text(), timeout=10_000)
+    dialog.close()
+    bench.session.load(PRESETS[0].design)
