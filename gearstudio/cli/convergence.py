@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import asdict
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from gearstudio.catalogue import METHOD_INFOS
@@ -25,9 +26,7 @@ def studies(design: Design, member: str, progress: Progress) -> dict[str, Conver
         def told(stage: str, part: float, begun: int = number) -> None:
             progress(f"{member}, {stage}", (begun + part) / len(METHOD_INFOS))
 
-        found[info.id] = convergence_study(
-            info.id, lambda count, method=info.id: convergence_point(design, member, method, count), report=told
-        )
+        found[info.id] = convergence_study(info.id, partial(convergence_point, design, member, info.id), report=told)
     return found
 
 
