@@ -59,6 +59,8 @@ COMMANDS = (
     Command("compare_design", "Co&mpare with design…", "Parameters and derived values beside those of another design"),
     Command("export", "&Export…", "Write flanks, teeth, gears or the pair for other programs", "Ctrl+E", "export"),
     Command("screenshot", "S&creenshot…", "Save a picture of the window", "F12", "camera"),
+    Command("display", "&Display panel", "Colours, surface quality, cameras and ground of the views", "Ctrl+D", "sliders"),
+    Command("full_screen", "&Full screen", "The window alone on the screen, and back", "F11"),
     Command("quit", "&Quit", "", Keys.Quit),
     Command("undo", "&Undo", "Take back the last edit", Keys.Undo, "undo"),
     Command("redo", "&Redo", "Do again what was taken back", Keys.Redo, "redo"),
@@ -154,7 +156,7 @@ class Actions(QObject):
 
     def fill_toolbar(self, toolbar: QToolBar) -> None:
         """Put the usual commands on a toolbar."""
-        for name in ("new", "open", "save", "", "undo", "redo", "", "rebuild", "cancel", "", "screenshot"):
+        for name in ("new", "open", "save", "", "undo", "redo", "", "rebuild", "cancel", "", "screenshot", "display"):
             toolbar.addAction(self[name]) if name else toolbar.addSeparator()
         toolbar.addSeparator()
         toolbar.addActions(self.modes.actions())
@@ -195,6 +197,7 @@ class Actions(QObject):
         view.addActions(self.modes.actions())
         view.addSeparator()
         view.addMenu(self.layers)
+        view.addAction(self["display"])
         _submenu(view, "&Generating line on", self.flanks)
         view.addSeparator()
         view.addActions(self.views.actions())
@@ -202,6 +205,7 @@ class Actions(QObject):
         self.panels = view.addMenu("&Panels")
         _submenu(view, "&Theme", self.schemes)
         view.addAction(self["reset_layout"])
+        view.addAction(self["full_screen"])
         model = bar.addMenu("&Model")
         _fill(model, ("build_gear", "build_pair", "", "rebuild", "cancel", "restart"), self)
         for group in (self.members, self.methods, self.variants):

@@ -17,22 +17,25 @@ from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkRenderingCore import vtkActor, vtkMapper, vtkPolyDataMapper, vtkProperty
 
 from ui import colormap
-from ui.layers import Layer, Style
+from ui.camera import Camera
+from ui.layers import Layer
 from ui.section import Plane
+from ui.views.appearance import LayerLook
+from ui.views.styling import apply_style, chosen_style, rgb
+from ui.views.zebra import Stripes, aim_stripes, put_stripes
 
+STRIPED = frozenset({"deviation", "cad_flank"})
 _LIFT = 160.0
 """Depth, in millionths of the range drawn, by which one step of lift comes forward."""
 
 
-def lookup_table() -> vtkLookupTable:
-    """The diverging colour table; every deviation map uses the same one."""
-    made = vtkLookupTable()
-    made.SetNumberOfTableValues(colormap.SIZE)
-    for index, (red, green, blue) in enumerate(colormap.table() / 255.0):
-        made.SetTableValue(index, red, green, blue, 1.0)
-    made.SetNanColor(0.5, 0.5, 0.5, 1.0)
-    made.SetTableRange(-1.0, 1.0)
-    return made
+def fill_table(table: vtkLookupTable, name: str, steps: int) -> None:
+    """Give a table the colours of a map; every coloured surface uses the same one."""
+    table.SetNumberOfTableValues(colormap.SIZE)
+    for index, (red, green, blue) in enumerate(colormap.table(name, steps) / 255.0):
+        table.SetTableValue(index, red, green, blue, 1.0)
+    table.SetNanColor(0.5, 0.5, 0.5, 1.0)
+    table.Modified()
 
 
 class MeshBuffer:
@@ -110,7 +113,9 @@ class ActorStore:
 
     def __init__(self, renderers: Sequence[Any]) -> None:
         vtkMapper.SetResolveCoincidentTopologyToPolygonOffset()
-        self.table = lookup_table()
+        self.table = vtkLookupTable()
+        self.table.SetTableRange(-1.0, 1.0)
+        fill_table(self.table, "balance", 0)
         self.dark = False
         self.pixel_ratio = 1.0
         self._renderers = tuple(renderers)
@@ -120,6 +125,8 @@ class ActorStore:
         self._places: dict[str, vtkMatrix4x4] = {}
         self._coarse = False
         self._plane: vtkPlane | None = None
+        self._looks: Mapping[str, LayerLook] = {}
+        self._stripes: Stripes | None = None
 
     @property
     def counts(self) -> tuple[int, ...]:
@@ -145,9 +152,38 @@ class ActorStore:
         for slot in self._buffers.keys() - used:
             del self._buffers[slot]
 
-    def set_limit(self, limit: float) -> None:
-        """Colours run from -limit to +limit."""
-        self.table.SetTableRange(-limit, limit)
+    def set_range(self, low: float, high: float) -> None:
+        """Colours run from low to high."""
+        self.table.SetTableRange(low, high)
+
+    def set_colors(self, name: str, steps: int) -> None:
+        """Colour by a map of `colormap.MAPS`, smooth or in so many steps."""
+        fill_table(self.table, name, steps)
+
+    def set_looks(self, looks: Mapping[str, LayerLook]) -> None:
+        """Take the user's own colours and opacities of layers."""
+        if looks != self._looks:
+            self._looks = looks
+            self.restyle(self.dark, self.pixel_ratio)
+
+    def set_stripes(self, stripes: Stripes | None) -> None:
+        """Draw the CAD flanks with zebra stripes."""
+        if stripes != self._stripes:
+            self._stripes = stripes
+            self._each(self._stripe)
+
+    def aim_stripes(self, cameras: Sequence[Camera]) -> None:
+        """Set the lamps of the stripes for the cameras of the panes, just before a frame."""
+        if self._stripes is None:
+            return
+        for pane, layers in enumerate(self._panes):
+            for layer in layers:
+                if layer.kind == "surface" and layer.layer_id in STRIPED:
+                    aim_stripes(self._actors[pane][layer.key], self._stripes, cameras[pane])
+
+    def _stripe(self, actor: vtkActor, layer: Layer) -> None:
+        if layer.kind == "surface" and layer.layer_id in STRIPED:
+            put_stripes(actor, self._stripes)
 
     def move(self, rotations: Mapping[str, np.ndarray]) -> None:
         """Turn bodies from where their layers put them, by matrices (3, 3); no mesh is touched."""
@@ -155,7 +191,7 @@ class ActorStore:
             matrix = self._places.get(body)
             if matrix is None:
                 matrix = self._places[body] = vtkMatrix4x4()
-                self._each(lambda actor, layer: self._place(actor, layer))
+                self._each(self._place)
             for row in range(3):
                 for column in range(3):
                     matrix.SetElement(row, column, float(rotation[row, column]))
@@ -164,7 +200,7 @@ class ActorStore:
         """Show the coarse level of what has two, or the fine one."""
         if coarse != self._coarse:
             self._coarse = coarse
-            self._each(lambda actor, layer: self._place(actor, layer))
+            self._each(self._place)
 
     def cut(self, plane: Plane | None) -> None:
         """Take away every body beyond a plane, or show them whole."""
@@ -174,7 +210,7 @@ class ActorStore:
             self._plane = self._plane or vtkPlane()
             self._plane.SetOrigin(*plane.point)
             self._plane.SetNormal(*(-plane.normal))
-        self._each(lambda actor, layer: self._place(actor, layer))
+        self._each(self._place)
 
     def _each(self, change: Callable[[vtkActor, Layer], None]) -> None:
         for pane, layers in enumerate(self._panes):
@@ -201,6 +237,15 @@ class ActorStore:
             for layer in layers:
                 self._style(self._actors[pane][layer.key], layer)
 
+    def stand_like(self, other: ActorStore) -> None:
+        """Take the places of the bodies, the cut and the colours of another store."""
+        self.table.DeepCopy(other.table)
+        self._plane = other._plane
+        for body, matrix in other._places.items():
+            self._places[body] = vtkMatrix4x4()
+            self._places[body].DeepCopy(matrix)
+        self._each(self._place)
+
     def clear(self) -> None:
         """Drop every actor and buffer."""
         self.set_layers(())
@@ -212,6 +257,7 @@ class ActorStore:
             actor.SetPickable(False)
             self._actors[pane][layer.key] = actor
             self._renderers[pane].AddActor(actor)
+            self._stripe(actor, layer)
         if actor.GetMapper() is not buffer.mapper:
             actor.SetMapper(buffer.mapper)
         self._style(actor, layer)
@@ -223,37 +269,17 @@ class ActorStore:
             self._renderers[pane].RemoveActor(actors.pop(key))
 
     def _style(self, actor: vtkActor, layer: Layer) -> None:
-        apply_style(actor.GetProperty(), layer, self.dark, self.pixel_ratio)
-        if layer.style.inside is not None:
+        style = chosen_style(layer, self._looks)
+        apply_style(actor.GetProperty(), layer, style, self.dark, self.pixel_ratio)
+        if style.inside is not None:
             inside = actor.GetBackfaceProperty() or vtkProperty()
             inside.SetAmbient(1.0)
             inside.SetDiffuse(0.0)
             inside.SetSpecular(0.0)
-            inside.SetColor(*_rgb(layer.style.inside.dark if self.dark else layer.style.inside.light))
+            inside.SetColor(*rgb(style.inside.dark if self.dark else style.inside.light))
             actor.SetBackfaceProperty(inside)
-        actor.SetForceTranslucent(layer.style.opacity < 1)
-        actor.SetForceOpaque(layer.style.opacity >= 1)
-
-
-def apply_style(look: Any, layer: Layer, dark: bool, pixel_ratio: float) -> None:
-    """Set a VTK property from a layer's style."""
-    style: Style = layer.style
-    ink = style.ink.dark if dark else style.ink.light
-    look.SetColor(*_rgb(ink))
-    look.SetOpacity(style.opacity)
-    lit = layer.kind == "surface" and not style.flat
-    look.SetLighting(lit)
-    look.SetAmbient((0.70 if layer.scalars is not None else 0.40) if lit else 1.0)
-    look.SetDiffuse((0.34 if layer.scalars is not None else 0.66) if lit else 0.0)
-    look.SetSpecular(style.gloss if lit else 0.0)
-    look.SetSpecularPower(28.0)
-    if layer.normals is None:
-        look.SetInterpolationToFlat()
-    else:
-        look.SetInterpolationToPhong()
-    look.SetLineWidth(style.width * pixel_ratio)
-    look.SetPointSize(style.width * pixel_ratio)
-    look.SetRenderPointsAsSpheres(layer.kind == "points")
+        actor.SetForceTranslucent(style.opacity < 1)
+        actor.SetForceOpaque(style.opacity >= 1)
 
 
 def _same(before: Layer, after: Layer) -> bool:
@@ -261,7 +287,3 @@ def _same(before: Layer, after: Layer) -> bool:
     if after.kind == "points":
         return len(before.points) == len(after.points)
     return before.cells is after.cells or np.array_equal(before.cells, after.cells)
-
-
-def _rgb(color: str) -> tuple[float, ...]:
-    return tuple(int(color[i : i + 2], 16) / 255 for i in (1, 3, 5))

@@ -16,6 +16,7 @@ from ui.export_dialog import export_report
 from ui.presenter import Presenter, view_title
 from ui.session import Key, Session
 from ui.solid_mode import SolidMode
+from ui.views.display import Display
 
 if TYPE_CHECKING:
     from gearstudio.jobs import Job
@@ -49,6 +50,7 @@ class Controller(QObject):
         self.analysis = AnalysisPresenter(session, window.analysis, self)
         self.blanks = Blanks(session, window.form, self)
         self.solid_mode = SolidMode(session, window, self.presenter, self)
+        self.display = Display(window, self.presenter, self)
         self.runner: JobRunner | None = None
         self._connect_form()
         self._connect_selection()
@@ -82,7 +84,7 @@ class Controller(QObject):
         grid, bar, slider = area.grid, area.color_bar, area.roll_slider
         assert grid is not None and bar is not None and slider is not None
         grid.hovered.connect(self._on_hovered)
-        bar.limit_changed.connect(self.presenter.apply_color_range)
+        bar.range_changed.connect(self.presenter.apply_color_range)
         slider.rolled.connect(self.presenter.set_roll)
         self.window.commands.fill_layers()
         self.window.commands.layers.triggered.connect(lambda a: self._on_layer_switched(a.data(), a.isChecked()))
@@ -90,6 +92,7 @@ class Controller(QObject):
         panel.set_chosen.connect(self._on_layer_set_chosen)
         self._show_layers(grid.visible_layers)
         self.window.commands.views.triggered.connect(lambda action: grid.set_view(action.data()))
+        self.display.views_ready()
         self.presenter.redraw()
         self.solid_mode.views_ready()
 
@@ -106,6 +109,7 @@ class Controller(QObject):
     def close(self) -> None:
         """End the work in progress and the CAD process."""
         self.builds.pause.cancel()
+        self.presenter.close()
         self.solid_mode.close()
         if self.runner is not None:
             self.runner.close()
@@ -262,7 +266,7 @@ class Controller(QObject):
     def _on_hovered(self, hover: Any) -> None:
         self.window.status.show_hover(hover)
         if self.window.area.color_bar is not None:
-            self.window.area.color_bar.set_marker(None if hover is None else hover.deviation_um)
+            self.window.area.color_bar.set_marker(None if hover is None else hover.value)
 
     def _on_document_changed(self) -> None:
         self.window.show_document(self.session.title, self.session.unsaved)

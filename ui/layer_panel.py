@@ -2,36 +2,43 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Mapping
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QSignalBlocker, Qt, Signal
-from PySide6.QtGui import QColor, QPainter, QPaintEvent
+from PySide6.QtCore import QPoint, QPointF, QRectF, QSignalBlocker, QSize, Qt, Signal
+from PySide6.QtGui import QColor, QPainter, QPainterPath, QPaintEvent, QPen
 from PySide6.QtWidgets import QCheckBox, QFrame, QHBoxLayout, QScrollArea, QVBoxLayout, QWidget
 
 from ui.method_bar import Segments
-from ui.theme import is_dark
+from ui.theme import tokens
+from ui.words import tr
 
 if TYPE_CHECKING:
     from ui.layers import LayerInfo
+    from ui.views.appearance import LayerLook
+    from ui.views.layer_swatch import LayerSwatch
 
 
 class LayerPanel(QWidget):
-    """A check box for each layer with a sample of its colour, and ready-made sets of layers.
+    """An eye for each layer with its colour and opacity, and ready-made sets of layers.
 
     Signals
     -------
     layer_switched(str, bool)
     set_chosen(object)
         frozenset of the layers to show.
+    look_changed(str, object)
+        A layer's `LayerLook` by the user.
     """
 
     layer_switched = Signal(str, bool)
     set_chosen = Signal(object)
+    look_changed = Signal(str, object)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._boxes: dict[str, QCheckBox] = {}
+        self._swatches: dict[str, LayerSwatch] = {}
         self._sets: dict[str, frozenset[str]] = {}
         self.sets = Segments((), "Set of layers")
         page = QWidget()
@@ -84,30 +91,62 @@ class LayerPanel(QWidget):
                 return
         self.sets.clear_choice()
 
+    def show_looks(self, looks: Mapping[str, LayerLook]) -> None:
+        """Show the colours and opacities that the user chose."""
+        for layer_id, swatch in self._swatches.items():
+            swatch.show_look(looks.get(layer_id))
+
+    def swatch(self, layer_id: str) -> LayerSwatch:
+        """The colour button of a layer."""
+        return self._swatches[layer_id]
+
     def _make_row(self, info: LayerInfo) -> QHBoxLayout:
-        box = QCheckBox(info.title)
-        box.setToolTip(info.tooltip)
+        from ui.views.layer_swatch import LayerSwatch
+
+        box = EyeBox(tr(info.title))
+        box.setToolTip(tr(info.tooltip))
         box.toggled.connect(lambda on: self.layer_switched.emit(info.id, on))
         self._boxes[info.id] = box
+        swatch = self._swatches[info.id] = LayerSwatch(info)
+        swatch.look_changed.connect(self.look_changed)
         row = QHBoxLayout()
         row.setSpacing(8)
         row.addWidget(box, 1)
-        row.addWidget(Swatch(info))
+        row.addWidget(swatch)
         return row
 
 
-class Swatch(QWidget):
-    """A sample of a layer's colour."""
-
-    def __init__(self, info: LayerInfo, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self._ink = info.ink
-        self.setFixedSize(16, 12)
-        self.setToolTip(info.tooltip)
+class EyeBox(QCheckBox):
+    """A check box whose mark is an eye, open or closed."""
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        painter = QPainter(self)
+        painter, colors = QPainter(self), tokens()
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        painter.setPen(Qt.PenStyle.NoPen)
-        painter.setBrush(QColor(self._ink.dark if is_dark() else self._ink.light))
-        painter.drawRoundedRect(self.rect(), 3, 3)
+        middle, on = self.height() / 2, self.isChecked()
+        ink = QColor(colors.text if on else colors.faint)
+        if self.hasFocus() or self.underMouse():
+            painter.setPen(Qt.PenStyle.NoPen)
+            painter.setBrush(QColor(colors.hover))
+            painter.drawRoundedRect(QRectF(0, 0, self.width(), self.height()), 4, 4)
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        painter.setPen(QPen(ink, 1.5, Qt.PenStyle.SolidLine, Qt.PenCapStyle.RoundCap))
+        lids = QPainterPath(QPointF(2, middle))
+        lids.quadTo(QPointF(9.5, middle + 8), QPointF(17, middle))
+        if on:
+            lids.quadTo(QPointF(9.5, middle - 8), QPointF(2, middle))
+        painter.drawPath(lids)
+        if on:
+            painter.setBrush(ink)
+            painter.drawEllipse(QPointF(9.5, middle), 2.0, 2.0)
+        painter.setPen(QColor(colors.text))
+        text = QRectF(24, 0, self.width() - 24, self.height())
+        painter.drawText(text, Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft, self.text())
+
+    def sizeHint(self) -> QSize:
+        return QSize(26 + self.fontMetrics().horizontalAdvance(self.text()), self.fontMetrics().height() + 4)
+
+    def minimumSizeHint(self) -> QSize:
+        return self.sizeHint()
+
+    def hitButton(self, place: QPoint) -> bool:
+        return self.rect().contains(place)

@@ -76,11 +76,13 @@ class Layer:
     normals : ndarray, shape (n, 3), or None
         Unit normals of a surface.
     scalars : ndarray, shape (n,), or None
-        Deviation [µm], drawn with the shared colour scale.
+        Deviation [µm] or what else is drawn with the shared colour scale; NaN is drawn in grey.
     body : str
         What it moves with and is cut with; empty for what stands still and stays whole.
     level : {"", "fine", "coarse"}
         Drawn only while the picture stands still, or only while it moves; empty for always.
+    deviation : ndarray, shape (n,), or None
+        Deviation [µm] of a surface whose scalars may be something else.
     """
 
     layer_id: str
@@ -93,6 +95,7 @@ class Layer:
     scalars: Floats | None = None
     body: str = ""
     level: Literal["", "fine", "coarse"] = ""
+    deviation: Floats | None = None
 
     @property
     def key(self) -> str:
@@ -140,12 +143,14 @@ GRAPHITE = Ink("#4a5663", "#b9c3cd")
 VERMILLION = Ink("#c4501b", "#ee8a4e")
 
 LAYERS: tuple[LayerInfo, ...] = (
-    LayerInfo("deviation", "Deviation map", True, "CAD flanks coloured by signed normal deviation", VERMILLION),
+    LayerInfo("deviation", "Coloured flanks", True, "CAD flanks coloured by deviation or curvature", VERMILLION),
     LayerInfo("cad_flank", "CAD flanks", False, "Both flanks as the method made them, in one colour", STEEL),
     LayerInfo("theory_flank", "Theoretical flank", False, "The exact flank, translucent", MINT),
     LayerInfo("sections", "Sections", False, "Heel and toe profiles, sections and positions used", INK),
     LayerInfo("guides", "Guide curves", False, "Curves along the tooth that guide the surface", GREEN),
     LayerInfo("points", "Points, U and V lines", False, "Points of the exact flank on U and V lines", GRAPHITE),
+    LayerInfo("combs", "Curvature combs", False, "Teeth as long as the CAD flank is curved", GREEN),
+    LayerInfo("normals", "Normals", False, "Arrows along the normals of the CAD flanks", INK),
     LayerInfo(
         "generating_line", "Generating line", False, "The line in the plane, and the flank it has swept", MAGENTA
     ),

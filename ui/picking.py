@@ -19,7 +19,7 @@ _RUN = 96
 
 @dataclass(frozen=True)
 class Hover:
-    """A point of a flank under the pointer, in what a person reads: mm, degrees, µm."""
+    """A point of a flank under the pointer, in what a person reads: mm, degrees, µm; ``value`` is what colours it."""
 
     panel_key: str
     flank: str
@@ -27,6 +27,7 @@ class Hover:
     rho: float
     delta_deg: float
     deviation_um: float | None
+    value: float | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -41,10 +42,19 @@ class Hit:
 
     @property
     def scalar(self) -> float | None:
-        """The layer's scalar there, linear over the triangle."""
-        if self.layer.scalars is None:
+        """The layer's scalar there, linear over the triangle; None where there is none."""
+        return self._at(self.layer.scalars)
+
+    @property
+    def deviation(self) -> float | None:
+        """The deviation there [µm], whatever the colours show."""
+        return self.scalar if self.layer.deviation is None else self._at(self.layer.deviation)
+
+    def _at(self, values: Floats | None) -> float | None:
+        if values is None:
             return None
-        return float(self.weights @ self.layer.scalars[self.corners])
+        value = float(self.weights @ values[self.corners])
+        return value if np.isfinite(value) else None
 
 
 class PickMesh:
@@ -119,4 +129,4 @@ def describe(hit: Hit, panel_key: str) -> Hover:
     """What a hit tells the user."""
     x, y, z = (float(c) for c in hit.point)
     rho, delta = float(np.linalg.norm(hit.point)), float(np.degrees(np.arctan2(np.hypot(x, y), z)))
-    return Hover(panel_key, hit.layer.part, (x, y, z), rho, delta, hit.scalar)
+    return Hover(panel_key, hit.layer.part, (x, y, z), rho, delta, hit.deviation, hit.scalar)

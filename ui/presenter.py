@@ -2,19 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, QTimer, Slot
 
 from ui.formatting import METHOD_TITLES, VARIANT_TITLES, micrometres
 from ui.session import Key, Session
+from ui.views.wardrobe import Wardrobe
 
 if TYPE_CHECKING:
     from gearstudio.results import VariantResult
     from gearstudio.theory.cones import MemberGeometry
     from ui.layers import Layer, Panel
     from ui.view_area import ViewArea
+    from ui.views.appearance import Appearance
+    from ui.views.wardrobe import Dressed
 
 REDRAW_PAUSE_MS = 15
 
@@ -47,6 +50,8 @@ class Presenter(QObject):
         self._flank = "concave"
         self._rolled: tuple[tuple[MemberGeometry, float, str], tuple[Layer, ...]] | None = None
         self._made: dict[Key, tuple[VariantResult, tuple[Layer, ...]]] = {}
+        self._wardrobe = Wardrobe(self)
+        self._wardrobe.changed.connect(self.redraw_soon)
         self._redraw = QTimer(self, singleShot=True, interval=REDRAW_PAUSE_MS)
         self._redraw.timeout.connect(self.redraw)
 
@@ -72,15 +77,27 @@ class Presenter(QObject):
 
         member = session.pair.member(session.member)
         shared = (*member_layers(member), *self._rolling(member))
-        panels = [
-            Panel(key.method, view_title(key), view_subtitle(session, key), (*shared, *self._layers_of(key)))
-            for key in session.visible_keys
-        ]
+        made = {
+            key: (session.results[key], self._layers_of(key)) for key in session.visible_keys if key in session.results
+        }
+        dressed = self._wardrobe.dress(made, member, grid.appearance, grid.visible_layers)
+        self._show_color_range(dressed)
+        contours = self._wardrobe.contours(dressed, self._levels(grid.appearance))
+        panels = []
+        for key in session.visible_keys:
+            own = (*dressed[key].layers, *contours[key]) if key in dressed else ()
+            note = dressed[key].note if key in dressed else ""
+            words = note if note and key in session.current else view_subtitle(session, key)
+            panels.append(Panel(key.method, view_title(key), words, (*shared, *own)))
         if _same_layers(panels, grid.panels):
             grid.set_titles({panel.key: (panel.title, panel.subtitle) for panel in panels})
         else:
             grid.set_panels(panels)
-        self._show_color_range()
+
+    def close(self) -> None:
+        """End the work in the background."""
+        self._redraw.stop()
+        self._wardrobe.close()
 
     def set_roll(self, roll: float) -> None:
         """Roll the tangent plane to a place in [0, 1]."""
@@ -93,15 +110,30 @@ class Presenter(QObject):
         self._flank = flank
         self.redraw()
 
-    def apply_color_range(self, limit_um: float) -> None:
+    def apply_color_range(self, low: float, high: float) -> None:
         """Colour every view over this range."""
         if self._area.grid is not None:
-            self._area.grid.set_color_range(limit_um)
+            self._area.grid.set_color_range(high, low)
+            if self._area.grid.appearance.contours:
+                self.redraw_soon()
 
-    def _show_color_range(self) -> None:
-        shown = [self._session.results[key] for key in self._session.visible_keys if key in self._session.results]
-        if shown and self._area.color_bar is not None:
-            self._area.color_bar.set_data_limit(max(result.statistics.max_um for result in shown))
+    def _show_color_range(self, dressed: Mapping[Key, Dressed]) -> None:
+        bar, grid = self._area.color_bar, self._area.grid
+        if bar is None or grid is None or not dressed:
+            return
+        from ui.views.quantities import quantity_of, typical_range
+
+        if quantity_of(grid.appearance).is_deviation:
+            bar.set_data_limit(max(self._session.results[key].statistics.max_um for key in dressed))
+            return
+        values = [layer.scalars for one in dressed.values() for layer in one.layers if layer.scalars is not None]
+        found = typical_range(quantity_of(grid.appearance), values)
+        if found is not None:
+            bar.set_data_range(*found)
+
+    def _levels(self, appearance: Appearance) -> tuple[float, ...]:
+        bar = self._area.color_bar
+        return tuple(bar.levels()) if appearance.contours and bar is not None else ()
 
     def _rolling(self, member: MemberGeometry) -> tuple[Layer, ...]:
         """The rolling plane, computed anew only when it is another one."""

@@ -45,28 +45,6 @@ class SceneOptions:
     flank: FlankName = "concave"
 
 
-def scene_layers(
-    member: MemberGeometry,
-    result: VariantResult | None,
-    roll: float = 1.0,
-    options: SceneOptions | None = None,
-) -> tuple[Layer, ...]:
-    """Everything one view can show.
-
-    Parameters
-    ----------
-    member : MemberGeometry
-    result : VariantResult or None
-        None while there is no result: theory alone is shown.
-    roll : float
-        Place in [0, 1] of the tangent plane, from where the generating line enters the flank to where it leaves.
-    options : SceneOptions, optional
-    """
-    options = options or SceneOptions()
-    made = result_layers(result) if result is not None else ()
-    return (*member_layers(member), *made, *rolling_layers(member, roll, options))
-
-
 @lru_cache(maxsize=6)
 def member_layers(member: MemberGeometry) -> tuple[Layer, ...]:
     """Layers that depend on the member alone; the same objects for the same member."""

@@ -99,9 +99,13 @@ class ViewArea(QWidget):
         self._stack.setCurrentWidget(grid)
         self.placeholder.stop()
         self._inside.addWidget(color_bar, 0, 1)
-        self._inside.addWidget(roll_slider, 1, 0, 1, 2)
-        self._inside.addWidget(mesh_bar, 2, 0, 1, 2)
+        self._inside.addWidget(roll_slider, 1, 0, 1, 3)
+        self._inside.addWidget(mesh_bar, 2, 0, 1, 3)
         mesh_bar.hide()
+
+    def add_panel(self, panel: QWidget) -> None:
+        """Take a panel to the right of the colour scale."""
+        self._inside.addWidget(panel, 0, 2)
 
     def close_views(self) -> None:
         """Let go of the renderer before the window goes; may be called twice."""

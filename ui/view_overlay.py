@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from html import escape
 
 import numpy as np
@@ -9,6 +10,7 @@ from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QFont, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QLabel, QWidget
 
+from ui import units
 from ui.camera import Camera
 from ui.theme import DARK, LIGHT, Tokens
 
@@ -103,6 +105,76 @@ class Marker(_Overlay):
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(QColor("#14181e"))
         painter.drawEllipse(centre, 1.3, 1.3)
+
+
+class Pin(Marker):
+    """A cross-hair at a point that was picked; it stays."""
+
+    SIZE = 23
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        centre, reach = QPointF(self.SIZE / 2, self.SIZE / 2), self.SIZE / 2 - 1
+        for color, width in ((QColor(255, 255, 255, 230), 4.0), (QColor("#14181e"), 1.8)):
+            painter.setPen(QPen(color, width))
+            painter.drawEllipse(centre, 6.0, 6.0)
+            for right, down in ((1, 0), (-1, 0), (0, 1), (0, -1)):
+                aside = QPointF(right, down)
+                painter.drawLine(centre + aside * 6.0, centre + aside * reach)
+
+
+class ScaleBar(_Overlay):
+    """A round length; in perspective that of things as far away as the middle of the view."""
+
+    def __init__(self, parent: QWidget) -> None:
+        super().__init__(parent)
+        self._per_mm, self._room, self._about = 1.0, 120.0, True
+        self.resize(160, 30)
+
+    def set_camera(self, camera: Camera, height: int) -> None:
+        """Follow a camera in a view of some height [pixels]."""
+        per_mm, about = height / (2 * camera.half_height), not camera.parallel
+        if (per_mm, about) != (self._per_mm, self._about):
+            self._per_mm, self._about = per_mm, about
+            self.update()
+
+    def set_room(self, width: float) -> None:
+        """Never be longer than this."""
+        room = min(max(width, 40.0), 150.0)
+        if room != self._room:
+            self._room = room
+            self.resize(round(room) + 10, 30)
+            self.update()
+
+    @property
+    def length(self) -> float:
+        """That is marked, in the unit shown [mm or in]."""
+        return round_length(self._room / (self._per_mm * units.factor("mm")))
+
+    @property
+    def label(self) -> str:
+        """The words at the bar."""
+        return f"{'≈ ' if self._about else ''}{self.length:g} {units.unit_shown('mm')}"
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        font = QFont(self.font())
+        font.setPointSizeF(max(font.pointSizeF() * 0.92, 7.0))
+        painter.setFont(font)
+        width, ground = self.length * units.factor("mm") * self._per_mm, self.height() - 5.0
+        painter.setPen(QPen(QColor(self.colors.text), 1.6))
+        painter.drawLine(QPointF(4, ground), QPointF(4 + width, ground))
+        for x in (4.0, 4.0 + width):
+            painter.drawLine(QPointF(x, ground - 4), QPointF(x, ground + 3))
+        painter.drawText(QRectF(4, 0, max(width, 90.0), ground - 4), Qt.AlignmentFlag.AlignBottom, self.label)
+
+
+def round_length(longest: float) -> float:
+    """The largest 1, 2 or 5 times a power of ten that is not longer."""
+    power = 10.0 ** math.floor(math.log10(longest))
+    return float(f"{max(step for step in (1, 2, 5) if step * power <= longest * (1 + 1e-9)) * power:.3g}")
 
 
 class Axes(_Overlay):

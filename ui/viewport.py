@@ -20,21 +20,19 @@ from PySide6.QtCore import QEvent, QPointF, Qt, QTimer, Signal
 from PySide6.QtGui import QCloseEvent, QKeyEvent, QMouseEvent, QNativeGestureEvent, QResizeEvent, QWheelEvent
 from PySide6.QtWidgets import QWidget
 from pyvistaqt import QtInteractor
-from vtkmodules.vtkRenderingCore import vtkLight
 
 from ui.camera import ZOOM_RANGE, Camera
+from ui.views.panes import PANES, Panes
 
-PANES = 3
 _TURN_PER_HEIGHT = np.pi * 0.9
 _WHEEL_STEP, _PIXEL_STEP = 0.0012, 0.004
 _STILL_AFTER_MS = 140
 _CLICK_REACH = 4.0
 _SOFTWARE = ("llvmpipe", "softpipe", "swrast", "software", "swiftshader", "basic render")
-_LIGHTS = (((-0.5, 0.7, 0.9), 0.46), ((0.9, 0.2, 0.7), 0.24), ((-0.6, -0.7, 0.7), 0.14), ((0.0, 0.0, 1.0), 0.40))
 
 
-class Viewport(QtInteractor):
-    """One to three panes with a common camera.
+class Viewport(Panes, QtInteractor):  # type: ignore[misc]
+    """One to three panes, with a common camera or one each.
 
     Signals
     -------
@@ -60,71 +58,14 @@ class Viewport(QtInteractor):
         self.setAcceptDrops(False)
         self.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
         self.iren.interactor.SetInteractorStyle(None)
-        self.link_views()
-        self.look = Camera(np.zeros(3), np.array([1.0, 0.0, 0.0]), np.array([0.0, 0.0, -1.0]), 1.0)
-        self.bounds_centre, self.bounds_radius = np.zeros(3), 1.0
         self.frame_ms, self.frames = 0.0, 0
         self.software: bool | None = None
-        self.pane_count = PANES
         self._grabbed: tuple[Qt.MouseButton, QPointF] | None = None
         self._pressed_at: QPointF | None = None
         self._moving = False
         self._still = QTimer(self, singleShot=True, interval=_STILL_AFTER_MS)
         self._still.timeout.connect(self._on_still)
-        for renderer in self.renderers:
-            renderer.remove_all_lights()
-            renderer.SetAutomaticLightCreation(False)
-            for place, strength in _LIGHTS:
-                renderer.AddLight(_camera_light(place, strength))
-            renderer.SetMaximumNumberOfPeels(4)
-            renderer.SetOcclusionRatio(0.02)
-        self.set_pane_count(1)
-
-    # ---- what is drawn -------------------------------------------------------------------------------
-
-    def set_pane_count(self, count: int) -> None:
-        """Divide the widget into so many panes."""
-        self.pane_count = count
-        for index, renderer in enumerate(self.renderers):
-            shown = index < count
-            renderer.SetDraw(shown)
-            left = index / count if shown else 0.0
-            renderer.SetViewport(left, 0.0, (index + 1) / count if shown else 1.0, 1.0)
-        self.update()
-
-    def set_ground(self, top: str, bottom: str) -> None:
-        """A calm gradient, ``#rrggbb`` each; equal ones give a plain ground."""
-        for renderer in self.renderers:
-            renderer.SetGradientBackground(top != bottom)
-            renderer.SetBackground(*_rgb(bottom))
-            renderer.SetBackground2(*_rgb(top))
-        self.update()
-
-    def set_camera(self, camera: Camera) -> None:
-        """Look from elsewhere."""
-        self.look = camera
-        self.update()
-
-    def set_scene_bounds(self, centre: np.ndarray, radius: float) -> None:
-        """Sphere around everything drawn."""
-        self.bounds_centre, self.bounds_radius = centre, radius
-
-    @property
-    def aspect(self) -> float:
-        """Width over height of one pane."""
-        return max(self.width() / self.pane_count, 1.0) / max(self.height(), 1)
-
-    def pane_at(self, position: QPointF) -> tuple[int, float, float]:
-        """Pane under a place in the widget, and the place in half heights from that pane's middle."""
-        width, height = max(self.width(), 1) / self.pane_count, max(self.height(), 1)
-        pane = min(max(int(position.x() // width), 0), self.pane_count - 1)
-        x = (position.x() - (pane + 0.5) * width) / (height / 2)
-        return pane, x, 1 - 2 * position.y() / height
-
-    def place_of(self, pane: int, x: float, y: float) -> QPointF:
-        """The inverse of `pane_at`."""
-        width, height = self.width() / self.pane_count, self.height()
-        return QPointF((pane + 0.5) * width + x * height / 2, (1 - y) * height / 2)
+        self.begin_panes(self.renderers)
 
     # ---- drawing -------------------------------------------------------------------------------------
 
@@ -142,24 +83,15 @@ class Viewport(QtInteractor):
 
     def paintGL(self) -> None:
         start = perf_counter()
-        self._hand_over_camera()
+        self._prepare()
         super().paintGL()
         self.frame_ms, self.frames = 1000 * (perf_counter() - start), self.frames + 1
 
-    def _hand_over_camera(self) -> None:
-        look, camera = self.look, self.renderers[0].GetActiveCamera()
-        camera.SetViewAngle(float(np.degrees(2 * np.arctan(look.half_height / look.distance))))
-        camera.SetParallelProjection(look.parallel)
-        camera.SetParallelScale(look.half_height)
-        camera.SetFocalPoint(*look.focal)
-        camera.SetPosition(*look.eye)
-        camera.SetViewUp(*look.up)
-        camera.SetClippingRange(*look.clipping(self.bounds_centre, self.bounds_radius))
+    def _prepare(self) -> None:
+        self.hand_over_cameras()
         hurried = bool(self.software) and self._moving
         self.drawing.emit(hurried)
-        for renderer in self.renderers:
-            renderer.SetUseFXAA(bool(self.software) and not hurried)
-            renderer.SetUseDepthPeeling(not hurried)
+        self.set_finish(smoothed=bool(self.software) and not hurried, peeled=not hurried)
 
     def set_moving(self) -> None:
         """The picture is about to change again and again: without a GPU, leave out the finish until it stands still."""
@@ -176,6 +108,7 @@ class Viewport(QtInteractor):
     def mousePressEvent(self, event: QMouseEvent) -> None:
         if self._grabbed is None:
             self._grabbed = (event.button(), event.position())
+            self.active = self.pane_at(event.position())[0]
             self._pressed_at = event.position() if event.button() == Qt.MouseButton.LeftButton else None
         self.pointer_left.emit()
         event.accept()
@@ -219,12 +152,12 @@ class Viewport(QtInteractor):
         event.accept()
         fine = event.pixelDelta().y()
         step = _PIXEL_STEP * fine if fine else _WHEEL_STEP * event.angleDelta().y()
-        _, x, y = self.pane_at(event.position())
+        self.active, x, y = self.pane_at(event.position())
         self._zoom(float(np.exp(np.clip(step, -1.0, 1.0))), x, y)
 
     def event(self, event: QEvent) -> bool:
         if isinstance(event, QNativeGestureEvent) and event.gestureType() == Qt.NativeGestureType.ZoomNativeGesture:
-            _, x, y = self.pane_at(event.position())
+            self.active, x, y = self.pane_at(event.position())
             self._zoom(float(np.exp(np.clip(event.value(), -1.0, 1.0))), x, y)
             return True
         return bool(super().event(event))
@@ -236,7 +169,7 @@ class Viewport(QtInteractor):
 
     def _move(self, camera: Camera) -> None:
         self.set_moving()
-        self.set_camera(camera)
+        self.set_camera(camera, self.active)
         self.camera_changed.emit()
 
     # ---- nothing of this reaches VTK -------------------------------------------------------------------
@@ -262,16 +195,3 @@ class Viewport(QtInteractor):
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
         self.camera_changed.emit()
-
-
-def _camera_light(place: tuple[float, float, float], strength: float) -> vtkLight:
-    light = vtkLight()
-    light.SetLightTypeToCameraLight()
-    light.SetPosition(*place)
-    light.SetFocalPoint(0.0, 0.0, 0.0)
-    light.SetIntensity(strength)
-    return light
-
-
-def _rgb(color: str) -> tuple[float, float, float]:
-    return (int(color[1:3], 16) / 255, int(color[3:5], 16) / 255, int(color[5:7], 16) / 255)

@@ -12,6 +12,8 @@ from gearstudio.nurbs import NurbsSurface
 from gearstudio.results import ConstructionCurve, FlankResult, Floats, Statistics, VariantResult
 from gearstudio.theory.cones import MemberGeometry, pair_geometry
 from gearstudio.theory.flank import FLANKS, involute_flank
+from ui.layers import Layer
+from ui.scene import member_layers, result_layers, rolling_layers
 
 Deviation = Callable[[Floats, Floats], Floats]
 
@@ -67,3 +69,8 @@ def _statistics(error: Floats) -> Statistics:
     size = np.abs(error)
     rms = float(np.sqrt(np.mean(error**2)))
     return Statistics(float(size.max()), float(size.mean()), rms, float(error.min()), float(error.max()))
+
+
+def scene_layers(member: MemberGeometry, result: VariantResult, roll: float = 1.0) -> tuple[Layer, ...]:
+    """Everything one view can show of a result, but for surface quality."""
+    return (*member_layers(member), *result_layers(result), *rolling_layers(member, roll))

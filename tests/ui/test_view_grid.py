@@ -11,9 +11,9 @@ from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
 from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QWheelEvent
 from PySide6.QtWidgets import QApplication
 
-from tests.ui.made_up import member_of, result_of
+from tests.ui.made_up import member_of, result_of, scene_layers
 from ui.layers import DEFAULT_VISIBLE, Panel
-from ui.scene import rolling_layers, scene_layers
+from ui.scene import rolling_layers
 
 pytestmark = [
     pytest.mark.ui,
@@ -174,7 +174,7 @@ class TestPanes:
     def test_titles_come_back_after_a_single_view(self, grid, qtbot):
         for count in (3, 1, 3):
             grid.set_panels(panels(count))
-            assert [title.isVisible() for title in grid._titles] == [index < count for index in range(3)]
+            assert [title.isVisible() for title in grid.overlays.titles] == [index < count for index in range(3)]
 
     def test_refuses_an_unknown_view(self, grid):
         with pytest.raises(ValueError, match="nowhere"):
@@ -191,11 +191,11 @@ class TestPointer:
         assert hover.panel_key == "m1" and hover.flank == "concave"
         assert hover.deviation_um == pytest.approx(-30.0)
         assert hover.rho == pytest.approx(np.linalg.norm(hover.xyz))
-        assert all(marker.isVisible() for marker in grid._markers)
+        assert all(marker.isVisible() for marker in grid.overlays.markers)
         with qtbot.waitSignal(grid.hovered) as told:
             move_to(grid, QPointF(2, 498))
         assert told.args[0] is None
-        assert not any(marker.isVisible() for marker in grid._markers)
+        assert not any(marker.isVisible() for marker in grid.overlays.markers)
 
     def test_does_not_draw_the_scene_again(self, grid, qtbot):
         grid.set_panels(panels(3))
@@ -269,9 +269,9 @@ class TestColorBar:
         return made
 
     def test_follows_the_data_until_it_is_set(self, bar, qtbot):
-        with qtbot.waitSignal(bar.limit_changed) as told:
+        with qtbot.waitSignal(bar.range_changed) as told:
             bar.set_data_limit(52.8)
-        assert told.args[0] == pytest.approx(60.0)
+        assert told.args == pytest.approx([-60.0, 60.0])
         bar.set_limit(5.0)
         bar.set_data_limit(80.0)
         assert bar.limit == 5.0 and not bar.automatic

@@ -1,0 +1,91 @@
+"""The display of the views: remembers how they show things, and connects the panel, the layers and the views."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject, QTimer
+
+if TYPE_CHECKING:
+    from ui.main_window import MainWindow
+    from ui.presenter import Presenter
+    from ui.view_grid import ViewGrid
+    from ui.views.appearance import Appearance, LayerLook
+    from ui.views.display_panel import DisplayPanel
+
+SETTING, OPEN_SETTING = "views/appearance", "views/panel"
+_REMEMBER_MS = 400
+
+
+class Display(QObject):
+    """Everything about the views that is no matter of the design."""
+
+    def __init__(self, window: MainWindow, presenter: Presenter, parent: QObject) -> None:
+        super().__init__(parent)
+        self._window, self._presenter = window, presenter
+        self.panel: DisplayPanel | None = None
+        self._grid: ViewGrid | None = None
+        self._remember = QTimer(self, singleShot=True, interval=_REMEMBER_MS)
+        self._remember.timeout.connect(self._save)
+        self._action = window.commands["display"]
+        self._action.setCheckable(True)
+        self._action.setEnabled(False)
+        self._action.toggled.connect(self._show_panel)
+        window.commands["full_screen"].setCheckable(True)
+        window.commands["full_screen"].toggled.connect(self._show_full_screen)
+        window.layer_panel.look_changed.connect(self._on_look_changed)
+        window.closing.connect(self._save)
+
+    def views_ready(self) -> None:
+        """The window has its views now."""
+        from ui.views.appearance import from_text
+        from ui.views.display_panel import DisplayPanel
+
+        area, settings = self._window.area, self._window.settings
+        assert area.grid is not None and area.color_bar is not None
+        self._grid = area.grid
+        self.panel = DisplayPanel()
+        self.panel.changed.connect(self.show_appearance)
+        self.panel.close_wanted.connect(lambda: self._action.setChecked(False))
+        self.panel.hide()
+        area.add_panel(self.panel)
+        area.grid.visible_changed.connect(self._presenter.redraw_soon)
+        self._action.setEnabled(True)
+        if settings is not None:
+            self._action.setChecked(settings.value(OPEN_SETTING) in (True, "true"))
+            self.show_appearance(from_text(settings.value(SETTING)))
+
+    def show_appearance(self, appearance: Appearance) -> None:
+        """Show everything so from now on."""
+        from ui.views.quantities import quantity_of
+
+        area = self._window.area
+        assert self._grid is not None and self.panel is not None and area.color_bar is not None
+        self.panel.show_appearance(appearance)
+        self._grid.show_appearance(appearance)
+        area.color_bar.show_scale(quantity_of(appearance), appearance.colors, appearance.steps, appearance.unit)
+        self._window.layer_panel.show_looks(appearance.looks)
+        self._presenter.redraw_soon()
+        self._remember.start()
+
+    def _on_look_changed(self, layer_id: str, look: LayerLook) -> None:
+        if self._grid is not None:
+            self.show_appearance(self._grid.appearance.with_look(layer_id, look))
+
+    def _show_panel(self, on: bool) -> None:
+        if self.panel is not None:
+            self.panel.setVisible(on)
+        self._remember.start()
+
+    def _show_full_screen(self, on: bool) -> None:
+        self._window.showFullScreen() if on else self._window.showNormal()
+
+    def _save(self) -> None:
+        self._remember.stop()
+        settings = self._window.settings
+        if settings is None or self._grid is None:
+            return
+        from ui.views.appearance import to_text
+
+        settings.setValue(SETTING, to_text(self._grid.appearance))
+        settings.setValue(OPEN_SETTING, self._action.isChecked())

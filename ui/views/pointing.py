@@ -1,0 +1,148 @@
+"""The point of a flank under the pointer, and the one that was picked: rays in numpy, nothing is drawn again."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QEvent, QObject, QPointF, Qt, QTimer, Signal
+from PySide6.QtGui import QKeyEvent
+
+from ui.layers import Layer
+from ui.picking import Hit, Hover, Picker, describe
+from ui.views.focus import CONTEXT_IDS
+
+if TYPE_CHECKING:
+    from ui.view_grid import ViewGrid
+
+_FLANK_IDS = ("deviation", "cad_flank")
+_MAP_KEYS = ("deviation/concave", "deviation/convex")
+
+
+class Pointing(QObject):
+    """Follows the pointer over a view grid, and keeps the picked point.
+
+    Signals
+    -------
+    hovered(object)
+        `picking.Hover`, or None when the pointer is on no flank.
+    picked(object)
+        `picking.Hover` of a click, or None when the marker went.
+    """
+
+    hovered = Signal(object)
+    picked = Signal(object)
+
+    def __init__(self, grid: ViewGrid) -> None:
+        super().__init__(grid)
+        self._grid = grid
+        self.hover: Hover | None = None
+        self.pin: Hover | None = None
+        self._pointer: QPointF | None = None
+        self._picker = Picker()
+        self._timer = QTimer(self, singleShot=True, interval=0)
+        self._timer.timeout.connect(self._update)
+        viewport = grid.viewport
+        viewport.pointer_moved.connect(self._on_moved)
+        viewport.pointer_left.connect(self.clear)
+        viewport.clicked.connect(self._on_clicked)
+        viewport.installEventFilter(self)
+
+    def keep(self, layers: tuple[Layer, ...]) -> None:
+        """Forget what was prepared for other layers."""
+        self._picker.keep(layers)
+
+    def stop(self) -> None:
+        """Follow no more."""
+        self._timer.stop()
+
+    def first(self, layers: tuple[Layer, ...], pane: int, x: float, y: float) -> Hit | None:
+        """The nearest of some surfaces at a place of a pane."""
+        return self._picker.first(layers, *self._grid.viewport.looks[pane].ray(x, y))
+
+    def flanks(self, pane: int) -> tuple[Layer, ...]:
+        """The flanks one can point at: the deviation is told also where the flank has one colour."""
+        layers = self._grid.panels[pane].layers
+        made = tuple(x for x in layers if x.key in _MAP_KEYS)
+        if made and self._grid.visible_layers & set(_FLANK_IDS):
+            return made
+        return tuple(x for x in self._grid.shown(pane) if x.kind == "surface" and x.layer_id == "theory_flank")
+
+    def clear(self, keep_pointer: bool = False) -> None:
+        """No flank is under the pointer."""
+        if not keep_pointer:
+            self._pointer = None
+        if self.hover is not None:
+            self.hover = None
+            for value in self._grid.overlays.values:
+                value.hide()
+            self._grid.place_markers()
+            self.hovered.emit(None)
+
+    def drop_pin(self) -> None:
+        """Take the marker away."""
+        if self.pin is not None:
+            self.pin = None
+            self._grid.place_markers()
+            self.picked.emit(None)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Escape takes the marker away before it means anything else."""
+        if self.pin is not None and isinstance(event, QKeyEvent) and event.key() == Qt.Key.Key_Escape:
+            if event.type() == QEvent.Type.ShortcutOverride:
+                event.accept()
+                return True
+            if event.type() == QEvent.Type.KeyPress:
+                self.drop_pin()
+                return True
+        return False
+
+    def _on_moved(self, position: QPointF) -> None:
+        self._pointer = position
+        if not self._timer.isActive():
+            self._timer.start()
+
+    def _update(self) -> None:
+        grid = self._grid
+        if self._pointer is None or not grid.panels:
+            return
+        pane, x, y = grid.viewport.pane_at(self._pointer)
+        if pane >= len(grid.panels):
+            return
+        hit = self._hit(pane, x, y)
+        if hit is None:
+            self.clear(keep_pointer=True)
+            return
+        self.hover = describe(hit, grid.panels[pane].key)
+        self._show_values(hit, pane)
+        grid.place_markers()
+        grid.place_overlays()
+        self.hovered.emit(self.hover)
+
+    def _show_values(self, hit: Hit, pane: int) -> None:
+        """The value at the same place in every pane, seen as this pane sees it."""
+        grid = self._grid
+        start, direction = grid.viewport.looks[pane].eye, hit.point - grid.viewport.looks[pane].eye
+        for other in range(len(grid.panels)):
+            same = hit if other == pane else self._picker.first(self.flanks(other), start, direction)
+            value = None if same is None else same.scalar
+            grid.overlays.values[other].set_text("" if value is None else grid.value_text(value), "")
+
+    def _hit(self, pane: int, x: float, y: float) -> Hit | None:
+        """The flank at a place, unless something stands before it."""
+        grid = self._grid
+        hit = self.first(self.flanks(pane), pane, x, y)
+        if hit is None:
+            return None
+        cover = tuple(x for x in grid.shown(pane) if x.kind == "surface" and x.layer_id in CONTEXT_IDS)
+        before = self.first(cover, pane, x, y)
+        hidden = before is not None and before.distance < hit.distance - 1e-3 * grid.viewport.bounds_radius
+        return None if hidden else hit
+
+    def _on_clicked(self, position: QPointF) -> None:
+        grid = self._grid
+        pane, x, y = grid.viewport.pane_at(position)
+        hit = self._hit(pane, x, y) if pane < len(grid.panels) else None
+        if hit is not None:
+            self.pin = describe(hit, grid.panels[pane].key)
+            grid.place_markers()
+            self.picked.emit(self.pin)
