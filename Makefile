@@ -3,12 +3,13 @@ PY := .venv/bin/python
 unexport PYTHONDONTWRITEBYTECODE
 export PYTHONFAULTHANDLER := 1
 .NOTPARALLEL:
-.PHONY: help run test lint format unit bench clean
+.PHONY: help run test lint format unit bench bundle clean
 
 help:
 	@echo "make run     open the window (without a display: a picture and the comparison in out/)"
 	@echo "make test    import contracts, style, types, then all tests, with real windows on a virtual screen"
 	@echo "make bench   the timed promises, each with its target"
+	@echo "make bundle  a folder dist/gearstudio that runs without Python, tried on a virtual screen"
 	@echo "make format  put the code into the house style"
 	@echo "make clean   remove .venv and everything made"
 
@@ -38,6 +39,12 @@ format:
 bench:
 	@bash tools/bootstrap.sh bench
 	bash tools/screen.sh $(PY) -m benchmarks
+
+bundle:
+	@bash tools/bootstrap.sh bundle
+	$(PY) -m PyInstaller --noconfirm --log-level ERROR --distpath dist --workpath build packaging/gearstudio.spec
+	bash tools/screen.sh dist/gearstudio/gearstudio --demo out
+	@du -sh dist/gearstudio
 
 clean:
 	rm -rf .venv out build dist *.egg-info .pytest_cache .mypy_cache .ruff_cache .import_linter_cache .hypothesis

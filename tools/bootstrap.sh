@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Makes this folder ready to run: a Python, the pinned packages in .venv, compiled bytecode, system libraries.
-# Usage: tools/bootstrap.sh run|dev|bench.  Set PYTHON to choose the interpreter. The second time it does nothing.
+# Usage: tools/bootstrap.sh run|dev|bench|bundle.  Set PYTHON to choose the interpreter. The second time it does nothing.
 set -eu
 cd "$(dirname "$0")/.."
 unset PYTHONDONTWRITEBYTECODE PYTHONHOME PYTHONPATH VIRTUAL_ENV
@@ -8,8 +8,8 @@ unset PYTHONDONTWRITEBYTECODE PYTHONHOME PYTHONPATH VIRTUAL_ENV
 kind=${1:-run}
 case $kind in
     run) requirements=requirements.txt ;;
-    dev | bench) requirements=requirements-$kind.txt ;;
-    *) echo "usage: tools/bootstrap.sh run|dev|bench" >&2; exit 2 ;;
+    dev | bench | bundle) requirements=requirements-$kind.txt ;;
+    *) echo "usage: tools/bootstrap.sh run|dev|bench|bundle" >&2; exit 2 ;;
 esac
 python=.venv/bin/python
 

@@ -1,0 +1,119 @@
+"""What is installed is complete: data files in the wheel, the program in a folder of its own, the desktop's files."""
+
+from __future__ import annotations
+
+import configparser
+import os
+import subprocess
+import sys
+import tomllib
+import xml.etree.ElementTree as ET
+import zipfile
+from importlib import metadata
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[1]
+PACKAGES = ("gearstudio", "ui")
+PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
+
+
+def data_files() -> set[str]:
+    found = (path for package in PACKAGES for path in (ROOT / package).rglob("*") if path.is_file())
+    return {
+        path.relative_to(ROOT).as_posix()
+        for path in found
+        if path.suffix not in (".py", ".pyc") and "__pycache__" not in path.parts and not path.name.startswith(".")
+    }
+
+
+def test_the_wheel_takes_every_kind_of_data_file() -> None:
+    patterns = PROJECT["tool"]["setuptools"]["package-data"]["*"]
+    taken = {
+        path.relative_to(ROOT).as_posix() for package in PACKAGES for p in patterns for path in (ROOT / package).glob(p)
+    }
+    assert data_files() <= taken
+    for names in PROJECT["tool"]["setuptools"]["data-files"].values():
+        assert all((ROOT / name).is_file() for name in names)
+
+
+def can_build() -> bool:
+    try:
+        return int(metadata.version("setuptools").split(".")[0]) >= 77 and bool(metadata.version("pip"))
+    except metadata.PackageNotFoundError:
+        return False
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(not can_build(), reason="needs pip and setuptools 77")
+def test_the_wheel_is_complete_and_runs_from_a_folder_of_its_own(tmp_path: Path) -> None:
+    def run(*arguments: str, **variables: str) -> subprocess.CompletedProcess[str]:
+        return subprocess.run(
+            [sys.executable, *arguments],
+            cwd=tmp_path,
+            env=os.environ | variables,
+            capture_output=True,
+            text=True,
+            check=False,
+        )
+
+    source = tmp_path / "source"
+    for name in ("pyproject.toml", "README.md", "LICENSE", "main.py"):
+        source.mkdir(exist_ok=True)
+        (source / name).write_bytes((ROOT / name).read_bytes())
+    for name in ("gearstudio", "ui", "packaging"):
+        copy_tree(ROOT / name, source / name)
+    options = ("--no-deps", "--no-build-isolation", "--no-index", "--quiet", "--disable-pip-version-check")
+    made = run("-m", "pip", "wheel", *options, "--wheel-dir", str(tmp_path), str(source))
+    assert made.returncode == 0, made.stderr
+    (wheel,) = tmp_path.glob("*.whl")
+    names = set(zipfile.ZipFile(wheel).namelist())
+    assert data_files() <= names and "main.py" in names and not any(name.startswith("tests") for name in names)
+    assert any(name.endswith("share/applications/gearstudio.desktop") for name in names)
+    place = tmp_path / "place"
+    assert run("-m", "pip", "install", *options, "--target", str(place), str(wheel)).returncode == 0
+    command = str(place / "bin" / "gearstudio")
+    done = run(command, "info", "preset:default", PYTHONPATH=str(place))
+    assert done.returncode == 0 and "Default spiral bevel pair" in done.stdout, done.stderr
+    where = run("-c", "import ui, gearstudio; print(ui.__file__, gearstudio.__file__)", PYTHONPATH=str(place))
+    assert where.stdout.count(str(place)) == 2
+
+
+def copy_tree(source: Path, target: Path) -> None:
+    for path in source.rglob("*"):
+        if path.is_file() and "__pycache__" not in path.parts:
+            copy = target / path.relative_to(source)
+            copy.parent.mkdir(parents=True, exist_ok=True)
+            copy.write_bytes(path.read_bytes())
+
+
+def test_the_desktop_entry_and_the_file_type_agree() -> None:
+    entry = configparser.RawConfigParser(delimiters=("=",))
+    entry.optionxform = str  # type: ignore[method-assign,assignment]
+    entry.read(ROOT / "packaging" / "gearstudio.desktop", encoding="utf-8")
+    main = entry["Desktop Entry"]
+    tree = ET.parse(ROOT / "packaging" / "gearstudio-mime.xml")
+    kind = tree.find("{*}mime-type")
+    assert kind is not None and main["MimeType"] == kind.get("type") + ";"
+    assert kind.find("{*}glob").get("pattern") == "*.gear.toml"  # type: ignore[union-attr]
+    assert main["Exec"] == "gearstudio %f" and "gearstudio" in PROJECT["project"]["scripts"]
+    assert main["Icon"] == kind.find("{*}icon").get("name") == "gearstudio"  # type: ignore[union-attr]
+
+
+def test_the_desktop_is_told_where_the_program_is(tmp_path: Path) -> None:
+    program = tmp_path / "my programs" / "gearstudio"
+    program.parent.mkdir()
+    program.write_text("#!/bin/sh\n")
+    program.chmod(0o755)
+    environment = os.environ | {"XDG_DATA_HOME": str(tmp_path / "share")}
+    script = str(ROOT / "packaging" / "install-desktop.sh")
+    subprocess.run(["sh", script, str(program)], env=environment, check=True, capture_output=True, timeout=30)
+    text = (tmp_path / "share" / "applications" / "gearstudio.desktop").read_text(encoding="utf-8")
+    assert f'Exec="{program}" %f\n' in text and f"TryExec={program}\n" in text
+    assert (tmp_path / "share" / "mime" / "packages" / "gearstudio-mime.xml").is_file()
+    assert (tmp_path / "share" / "icons" / "hicolor" / "scalable" / "apps" / "gearstudio.svg").is_file()
+    failed = subprocess.run(
+        ["sh", script, "no-such-program"], env=environment, check=False, capture_output=True, timeout=30
+    )
+    assert failed.returncode == 2 and b"not installed" in failed.stderr
