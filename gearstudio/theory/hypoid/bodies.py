@@ -10,6 +10,8 @@ from gearstudio.theory.hypoid.depth import ToothDepth
 from gearstudio.theory.hypoid.inputs import HypoidError, HypoidInput
 from gearstudio.theory.hypoid.pitch import PitchCone, PitchCones
 
+_LEAST_DEPTH = 0.25
+
 
 @dataclass(frozen=True)
 class TurnedCone:
@@ -72,12 +74,13 @@ def bodies(given: HypoidInput, cones: PitchCones, depth: ToothDepth) -> Bodies:
     wheel, add, ded = cones.wheel, depth.addendum_angle, depth.dedendum_angle
     face = TurnedCone(wheel.angle + add, _beyond(wheel, add, depth.addenda[1]))
     root = TurnedCone(wheel.angle - ded, _beyond(wheel, -ded, -depth.dedenda[1]))
-    if not 0 < root.angle <= face.angle < pi / 2:
+    if not (0 < root.angle < pi / 2 and 0 < face.angle < pi / 2):
         raise HypoidError(
             "depth.taper",
             f"face angle {face.angle * 180 / pi:.4g}° and root angle {root.angle * 180 / pi:.4g}° of the wheel must "
             "lie between 0° and 90°; use smaller addendum and dedendum angles or the uniform taper",
         )
+    _refuse_no_depth(given, cones, depth)
     pinion_face, in_root = _touching(cones, root, depth.clearance)
     pinion_root, in_face = _touching(cones, face, depth.clearance)
     outer = cones.outer_share * given.face_width
@@ -88,6 +91,20 @@ def bodies(given: HypoidInput, cones: PitchCones, depth: ToothDepth) -> Bodies:
         in_root,
         in_face,
     )
+
+
+def _refuse_no_depth(given: HypoidInput, cones: PitchCones, depth: ToothDepth) -> None:
+    """Refuse a taper that leaves the teeth too little of their depth at an end."""
+    mean = depth.addenda[1] + depth.dedenda[1]
+    growth = (tan(depth.addendum_angle) + tan(depth.dedendum_angle)) * given.face_width
+    least = mean - max(growth * (1 - cones.outer_share), -growth * cones.outer_share)
+    if least < _LEAST_DEPTH * mean:
+        angles = f"{depth.addendum_angle * 180 / pi:.4g}° and {depth.dedendum_angle * 180 / pi:.4g}°"
+        raise HypoidError(
+            "depth.taper",
+            f"addendum and dedendum angles of {angles} leave {max(least / mean, 0.0):.0%} of the mean depth at an end "
+            f"of the face, less than {_LEAST_DEPTH:.0%}; use smaller ones, the standard taper or a smaller face width",
+        )
 
 
 def _beyond(wheel: PitchCone, lean: float, height: float) -> float:

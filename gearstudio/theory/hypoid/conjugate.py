@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from gearstudio.theory.cones import MemberGeometry
 from gearstudio.theory.flank import FlankName, InvoluteFlank
-from gearstudio.theory.hypoid.edge import StartOfContact
+from gearstudio.theory.hypoid.edge import StartOfContact, start_of_contact
 from gearstudio.theory.hypoid.envelope import Envelope
 from gearstudio.theory.hypoid.inverse import generating_point
 from gearstudio.theory.hypoid.pair import HypoidPair
@@ -187,7 +187,7 @@ class ConjugateFlank:
 
     @cached_property
     def _start(self) -> StartOfContact:
-        return StartOfContact.of(self.envelope, self.member, self.raised)
+        return start_of_contact(self.envelope, self.member, self.raised)
 
     def _end_distance(self, v: Floats) -> Floats:
         return np.asarray(self.member.inner_cone_distance + v * self.member.face_width)
@@ -219,7 +219,7 @@ def wheel_flank(pair: HypoidPair, name: FlankName) -> InvoluteFlank:
 
 
 def pinion_flank(pair: HypoidPair, name: FlankName, raised: float = 0.0) -> ConjugateFlank:
-    """The pinion's conjugate flank, not looked at for undercut: `undercut.sound_pinion_flank` refuses that."""
+    """The pinion's conjugate flank, not looked at for undercut: `soundness.sound_pinion_flank` refuses that."""
     side = pair.side("pinion", name)
     return ConjugateFlank(pair.member("pinion", name), side, envelope(pair, side), raised)
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import atan, cos, pi, radians, sin, sqrt, tan
+from math import atan, cos, pi, radians, sin, tan
 
 from gearstudio.theory.hypoid.inputs import HypoidError, HypoidInput
 from gearstudio.theory.hypoid.pitch import PitchCones, trace_curvature
@@ -119,16 +119,10 @@ def _taper(
     if kind == "tilted_root":
         total = min(total, _STEEPEST_TILT * standard)
     if abs(total) > _LARGEST_ANGLE:
+        other = "the tilted root line" if kind == "duplex" and total > 0 else "the standard taper"
         raise HypoidError(
-            "lengthwise.cutter_radius",
-            f"a constant slot width with a cutter of {given.cutter_radius:.6g} mm would taper the depth by "
-            f"{total * 180 / pi:.4g}°, beyond {_LARGEST_ANGLE * 180 / pi:.4g}°; use {_cutter(given, cones):.6g} mm or "
-            "another taper",
+            "depth.taper",
+            f"a constant slot width would taper the depth by {total * 180 / pi:.4g}°, beyond "
+            f"{_LARGEST_ANGLE * 180 / pi:.4g}°; use {other}",
         )
     return total * wheel_share, total * (1 - wheel_share)
-
-
-def _cutter(given: HypoidInput, cones: PitchCones) -> float:
-    """Cutter radius between R_m sin(beta), uniform depth, and R_m: the middle of what duplex depth suits."""
-    wheel = cones.wheel
-    return wheel.mean_cone_distance * sqrt(max(sin(wheel.spiral_angle), 0.25))

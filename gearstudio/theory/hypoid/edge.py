@@ -17,9 +17,10 @@ from gearstudio.theory.involute import roll_arc
 Floats = NDArray[np.float64]
 
 _NODES = 33
-_BEYOND = 0.3
+_BEYOND, _LEAST_BEYOND = 0.15, 0.01
 _STEPS = 30
 _ACCURACY = 1e-13
+_NEAREST, _FARTHEST = 0.2, 3.0
 
 
 @dataclass(frozen=True)
@@ -29,31 +30,41 @@ class StartOfContact:
     Attributes
     ----------
     coefficients : ndarray, shape (n,)
-        Of Chebyshev polynomials over -0.3 <= v <= 1.3; the curve itself is met to about 1e-13 rad.
+        Of Chebyshev polynomials over -beyond <= v <= 1 + beyond; the curve itself is met to about 1e-13 rad.
+    beyond : float
+        Share of the face width by which the polynomial goes on at either end.
     """
 
     coefficients: Floats
+    beyond: float
 
     def __call__(self, v: ArrayLike) -> Floats:
         """delta_1 [rad] at places v, as at the end of the range beyond it."""
-        v = np.clip(np.asarray(v, dtype=np.float64), -_BEYOND, 1 + _BEYOND)
-        return np.asarray(chebyshev.chebval((v - 0.5) / (0.5 + _BEYOND), self.coefficients))
+        v = np.clip(np.asarray(v, dtype=np.float64), -self.beyond, 1 + self.beyond)
+        return np.asarray(chebyshev.chebval((v - 0.5) / (0.5 + self.beyond), self.coefficients))
 
-    @classmethod
-    def of(cls, envelope: Envelope, pinion: MemberGeometry, raised: float = 0.0) -> StartOfContact:
-        """Fit the image of the wheel's face cone, or of a cone raised over it by a height [mm].
 
-        Raises
-        ------
-        GeometryError
-            The image folds back or does not reach over the pinion's face.
-        """
-        nodes = chebyshev.chebpts1(_NODES)
-        v = 0.5 + (0.5 + _BEYOND) * nodes
-        rho = _on_face_cone(envelope, pinion, pinion.inner_cone_distance + v * pinion.face_width, raised)
-        point, _ = face_cone_image(envelope, rho, raised)
-        delta = np.arctan2(np.hypot(point[..., 0], point[..., 1]), point[..., 2])
-        return cls(np.asarray(chebyshev.chebfit(nodes, delta, _NODES - 1), dtype=np.float64))
+def start_of_contact(envelope: Envelope, pinion: MemberGeometry, raised: float = 0.0) -> StartOfContact:
+    """Fit the image of the wheel's face cone, or of a cone raised over it by a height [mm].
+
+    Raises
+    ------
+    GeometryError
+        The image folds back or does not reach over the pinion's face.
+    """
+    try:
+        return _fitted(envelope, pinion, raised, _BEYOND)
+    except GeometryError:
+        return _fitted(envelope, pinion, raised, _LEAST_BEYOND)
+
+
+def _fitted(envelope: Envelope, pinion: MemberGeometry, raised: float, beyond: float) -> StartOfContact:
+    nodes = chebyshev.chebpts1(_NODES)
+    v = 0.5 + (0.5 + beyond) * nodes
+    rho = _on_face_cone(envelope, pinion, pinion.inner_cone_distance + v * pinion.face_width, raised)
+    point, _ = face_cone_image(envelope, rho, raised)
+    delta = np.arctan2(np.hypot(point[..., 0], point[..., 1]), point[..., 2])
+    return StartOfContact(np.asarray(chebyshev.chebfit(nodes, delta, _NODES - 1), dtype=np.float64), beyond)
 
 
 def face_cone_image(envelope: Envelope, rho: Floats, raised: float = 0.0) -> tuple[Floats, Floats]:
@@ -72,8 +83,8 @@ def face_cone_image(envelope: Envelope, rho: Floats, raised: float = 0.0) -> tup
 def _on_face_cone(envelope: Envelope, pinion: MemberGeometry, wanted: Floats, raised: float) -> Floats:
     """Cone distances on the wheel's tip whose images lie on the pinion's end surfaces wanted [mm]."""
     wheel = envelope.wheel.member
-    near, far = wheel.lengthwise.reach
     middle = wheel.lengthwise.mean_cone_distance
+    near, far = _NEAREST * middle, _FARTHEST * middle
     rho = np.clip(middle + (wanted - pinion.lengthwise.mean_cone_distance), near, far)
     longest = 0.2 * middle
     for _ in range(_STEPS):

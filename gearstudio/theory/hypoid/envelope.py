@@ -138,9 +138,14 @@ class Envelope:
         GeometryError
             A point of the wheel's flank never touches.
         """
+        made = self.made(psi, rho)
+        _refuse_missed(made.wheel_turn)
+        return made
+
+    def made(self, psi: ArrayLike, rho: ArrayLike) -> PinionPoint:
+        """As `at`, but not a number where the wheel's points never touch."""
         w = self.wheel_point(psi, rho)
         turn, slopes = self._turn(w)
-        _refuse_missed(turn)
         point, by = self._moved(w, turn, slopes)
         normal = turned(w.normal, turn)
         length = np.sqrt(dot(normal, normal))[..., None]

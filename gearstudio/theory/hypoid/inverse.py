@@ -16,6 +16,7 @@ _STEPS = 40
 _ACCURACY = 1e-12
 _LONGEST_PSI = 0.15
 _LONGEST_SHARE = 0.15
+_NEAREST, _FARTHEST = 0.2, 3.0
 
 
 def generating_point(
@@ -42,11 +43,12 @@ def generating_point(
     """
     rho, delta = np.broadcast_arrays(rho, delta)
     member = envelope.wheel.member
-    near, far = member.lengthwise.reach
+    middle = member.lengthwise.mean_cone_distance
+    near, far = _NEAREST * middle, _FARTHEST * middle
     start = np.clip(member.pitch_angle + pitch_angle - delta, member.base_angle, np.pi - member.base_angle)
     psi = roll_arc(start, member.base_angle)
-    along = np.clip(member.lengthwise.mean_cone_distance + rho - mean_distance, near, far)
-    longest = _LONGEST_SHARE * member.lengthwise.mean_cone_distance
+    along = np.clip(middle + rho - mean_distance, near, far)
+    longest = _LONGEST_SHARE * middle
     finish = False
     for _ in range(_STEPS):
         point, by_psi, by_rho = envelope.tangents(psi, along)

@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import acos, asin, atan, cos, pi, radians, sin, tan
 
 from gearstudio.theory.cones import MemberGeometry
 from gearstudio.theory.flank import FlankName
 from gearstudio.theory.hypoid.axes import Axes, placed
 from gearstudio.theory.hypoid.bodies import Bodies, Body, bodies
-from gearstudio.theory.hypoid.checks import pitch_cones
+from gearstudio.theory.hypoid.checks import nearest, pitch_cones
 from gearstudio.theory.hypoid.depth import ToothDepth, tooth_depth
+from gearstudio.theory.hypoid.exact import exact_cones
 from gearstudio.theory.hypoid.inputs import HypoidError, HypoidInput, MemberName
 from gearstudio.theory.hypoid.pitch import PitchCone, PitchCones
 from gearstudio.theory.lengthwise import Lengthwise
@@ -147,6 +148,7 @@ def hypoid_pair(given: HypoidInput) -> HypoidPair:
     cones = pitch_cones(given)
     depth = tooth_depth(given, cones)
     pair = HypoidPair(given, cones, depth, bodies(given, cones, depth))
+    _refuse_small_cutter(pair)
     for side in (1, -1):
         angle = pair.normal_pressure_angle(side)
         if not 0 < angle < pi / 4:
@@ -156,3 +158,29 @@ def hypoid_pair(given: HypoidInput) -> HypoidPair:
                 f"{pair.normal_pressure_angle(-side) * 180 / pi:.4g}°, outside 0° to 45°; use a factor nearer to 0",
             )
     return pair
+
+
+def _refuse_small_cutter(pair: HypoidPair) -> None:
+    wheel = pair.member("wheel", "convex")
+    near, far = wheel.lengthwise.reach
+    if not near < wheel.inner_cone_distance < wheel.outer_cone_distance < far:
+        given, largest = pair.given, 5 * wheel.outer_cone_distance
+        found = nearest(given.cutter_radius, largest, lambda radius: _crosses(replace(given, cutter_radius=radius)))
+        remedy = "use a smaller spiral angle" if found is None else f"use at least {found:.6g} mm"
+        raise HypoidError(
+            "lengthwise.cutter_radius",
+            f"a cutter of radius {given.cutter_radius:.6g} mm does not cross the wheel's whole face width; {remedy}",
+        )
+
+
+def _crosses(given: HypoidInput) -> bool:
+    cones = exact_cones(given)
+    if cones is None:
+        return False
+    wheel = cones.wheel
+    trace = Lengthwise(
+        given.curve, wheel.mean_cone_distance, wheel.spiral_angle, wheel.angle, given.wheel_hand, given.cutter_radius
+    )
+    near, far = trace.reach
+    outer = given.wheel_outer_pitch_diameter / (2 * sin(wheel.angle))
+    return near < outer - given.face_width < outer < far
