@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import sys
+from argparse import Namespace
 from collections.abc import Sequence
 from pathlib import Path
 
-COMMANDS = ("info", "compare", "points", "export", "contact", "measure")
-COMMANDS_TO_COME = ("report", "screenshot")
+COMMANDS = ("info", "compare", "points", "export", "verify", "contact", "measure", "screenshot")
+COMMANDS_TO_COME = ("report",)
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -26,12 +27,18 @@ def _run(arguments: list[str]) -> int:
     if first in COMMANDS or first in ("-h", "--help", "--version"):
         from gearstudio.cli import main as command_line
 
-        return command_line(arguments)
+        return command_line(arguments, _take_picture)
     if _looks_like_a_command(first):
         return _refuse(first)
     from ui.app import main as window
 
     return int(window(arguments))
+
+
+def _take_picture(args: Namespace) -> int:
+    from ui.views.command import take_picture
+
+    return take_picture(args)
 
 
 def _looks_like_a_command(word: str) -> bool:

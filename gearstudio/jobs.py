@@ -16,28 +16,22 @@ from typing import TYPE_CHECKING, ClassVar, Literal
 
 from gearstudio.errors import FileError
 from gearstudio.files import named_errors
+from gearstudio.formats import FORMATS, SOLID_FORMATS, USUAL, ExportOptions
 
 if TYPE_CHECKING:
     from gearstudio.analysis.convergence import ConvergencePoint
     from gearstudio.catalogue import MemberName, Variant
+    from gearstudio.checks import FileCheck
     from gearstudio.design import Design
     from gearstudio.exchange.measured_step import SampledModel
-    from gearstudio.results import FileCheck, SolidResult, VariantResult
+    from gearstudio.results import SolidResult, VariantResult
 
 Report = Callable[[str, float], None]
 """Takes the stage that begins and the fraction done, 0 to 1."""
 
 Purpose = Literal["build", "solid", "export", "sample", "study", "report"]
 
-FORMATS = {
-    "flanks": ("step",),
-    "tooth": ("step", "iges", "brep", "stl", "3mf", "glb"),
-    "gear": ("step", "iges", "brep", "stl", "3mf", "glb"),
-}
-"""Parts that can be written, and how."""
-SOLID_FORMATS = ("step", "iges", "brep")
 CONSTRUCTIONS = ("assemble", "cut")
-_EXPORT_SAMPLES = (9, 9)
 
 
 class Job(ABC):
@@ -150,20 +144,21 @@ class SampleJob(Job):
 
 @dataclass(frozen=True)
 class ExportedFile:
-    """A file that an export wrote, and what was found when it was read back (None for flanks, which are compared)."""
+    """A file that an export wrote, what was found when it was read back, and the record of it that lies beside it."""
 
     path: Path
     format: str
     size: int
-    check: FileCheck | None = None
+    check: FileCheck
+    record: Path | None = None
 
 
 @dataclass(frozen=True)
 class ExportJob(Job):
     """Build a part of a member, or of the pair in mesh, and write it as ``MEMBER-PART.EXT``, once per format.
 
-    A file appears under its name only when it is complete; one of that name is replaced. ``chord`` is how far
-    triangles may lie from the surfaces [mm]; None for a ten-thousandth of the outer cone distance.
+    A file appears under its name only when it is complete; one of that name is replaced. ``records`` asks for a
+    record of what was made and found beside each file.
     """
 
     purpose: ClassVar[Purpose] = "export"
@@ -176,7 +171,8 @@ class ExportJob(Job):
     formats: Sequence[str]
     directory: Path
     construction: str = "assemble"
-    chord: float | None = None
+    options: ExportOptions = USUAL
+    records: bool = False
 
     @property
     def label(self) -> str:
@@ -194,30 +190,23 @@ class ExportJob(Job):
         """
         self._check()
         report("building", 0.0)
-        write = self._flank_writer() if self.part == "flanks" else self._solid_writer(report)
+        from gearstudio.exchange.record import Subject, write_record
+        from gearstudio.exchange.solids import Product
+        from gearstudio.exchange.verify import product
+
+        subject = Subject(self.member, self.part, self.method, self.variant, self.construction, self.options)
+        made = product(self.design, subject)
+        if isinstance(made, Product) and any(format_ in SOLID_FORMATS for format_ in self.formats):
+            made.solids(report)
         files = []
         for index, format_ in enumerate(self.formats):
             report(f"writing {format_}", (index + 1) / (len(self.formats) + 1))
-            with _complete_or_absent(self._path(format_), self._unfinished(format_, os.getpid())) as path:
-                check = write(path, format_)
-            files.append(ExportedFile(self._path(format_), format_, self._path(format_).stat().st_size, check))
+            target = self._path(format_)
+            with _complete_or_absent(target, self._unfinished(format_, os.getpid())) as path:
+                check = made.write(path, format_)
+            record = write_record(target, format_, self.design, subject, check) if self.records else None
+            files.append(ExportedFile(target, format_, target.stat().st_size, check, record))
         return tuple(files)
-
-    def _flank_writer(self) -> Callable[[Path, str], None]:
-        from gearstudio.analysis.comparison import build_variant
-        from gearstudio.exchange.flanks import write_checked_flanks
-
-        result = build_variant(self.design, self.member, self.method, self.variant, _EXPORT_SAMPLES)
-        surfaces = {flank: made.surface for flank, made in result.flanks.items()}
-        return lambda path, format_: write_checked_flanks(path, surfaces, f"{self.member}-{self.part}")
-
-    def _solid_writer(self, report: Report) -> Callable[[Path, str], FileCheck]:
-        from gearstudio.exchange.solids import Product
-
-        product = Product(self.design, self.member, self.part, self.method, self.variant, self.construction, self.chord)
-        if any(format_ in SOLID_FORMATS for format_ in self.formats):
-            product.solids(report)
-        return product.write
 
     def clear_up(self, process_id: int) -> None:
         for format_ in self.formats:

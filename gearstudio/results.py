@@ -9,12 +9,10 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from gearstudio.errors import FileError
 from gearstudio.nurbs import NurbsSurface
 
 Floats = NDArray[np.float64]
 
-_VOLUME_ERROR = 1e-4
 CurveKind = Literal["position", "section", "guide", "u_line", "v_line", "points"]
 
 
@@ -184,47 +182,3 @@ class Mesh:
         forward.sort()
         backward.sort()
         return bool(np.all(np.diff(forward) > 0) and np.array_equal(forward, backward))
-
-
-@dataclass(frozen=True)
-class FileCheck:
-    """What was found in a file of solids or triangles when it was read back.
-
-    Attributes
-    ----------
-    format : str
-    valid, closed : bool
-        By the kernel's full check; for triangles, by counting their edges.
-    solids, faces : int
-        Faces, or triangles.
-    volume : float
-        [mm^3]
-    volume_error : float
-        Relative to what was written.
-    box_error : float
-        Largest difference of the bounding boxes [mm].
-    """
-
-    format: str
-    valid: bool
-    closed: bool
-    solids: int
-    faces: int
-    volume: float
-    volume_error: float
-    box_error: float
-
-    def require(self, path: object, solids: int) -> None:
-        """Raise FileError unless the file holds so many valid closed solids of the right size."""
-        if self.solids != solids:
-            raise FileError(path, f"{self.solids} solids instead of {solids} were found on reading the file back")
-        if not (self.valid and self.closed):
-            raise FileError(path, "the solid is not valid after reading the file back")
-        if not self.volume_error <= _VOLUME_ERROR:
-            raise FileError(path, f"the volume differs by {self.volume_error:.2g} after reading the file back")
-
-    def __str__(self) -> str:
-        return (
-            f"{self.solids} closed valid solid{'s' if self.solids > 1 else ''}, {self.faces} faces, "
-            f"{self.volume:.6g} mm³ (relative difference {self.volume_error:.1e})"
-        )

@@ -23,9 +23,12 @@ from PySide6.QtWidgets import (
 )
 
 from gearstudio.catalogue import METHOD_IDS, VARIANTS
-from gearstudio.jobs import CONSTRUCTIONS, FORMATS, SOLID_FORMATS, ExportedFile, ExportJob
+from gearstudio.formats import FORMATS
+from gearstudio.jobs import CONSTRUCTIONS, ExportedFile, ExportJob
+from ui.export_options import OptionsPanel, StillCombo
 from ui.fields import set_severity
-from ui.formatting import CONSTRUCTION_TITLES, MEMBER_TITLES, METHOD_TITLES, VARIANT_TITLES, number_text, parse_number
+from ui.formatting import CONSTRUCTION_TITLES, MEMBER_TITLES, METHOD_TITLES, VARIANT_TITLES
+from ui.words import tr
 
 if TYPE_CHECKING:
     from ui.session import Session
@@ -34,16 +37,17 @@ PAIR = "pair"
 SUBJECTS = {**MEMBER_TITLES, PAIR: "Pair in mesh"}
 PART_TITLES = {"flanks": "Working flanks", "tooth": "One tooth", "gear": "Whole gear"}
 FORMAT_TITLES = {
-    "step": ("STEP", "AP242: names, colours, product structure"),
+    "step": ("STEP", "names, colours, product structure"),
     "iges": ("IGES", "surfaces, for older programs"),
     "brep": ("BREP", "the CAD kernel's own"),
-    "stl": ("STL", "triangles, binary"),
+    "stl": ("STL", "triangles alone"),
     "3mf": ("3MF", "triangles, for printing"),
     "glb": ("GLB", "triangles in colour, for viewers"),
 }
 CHORD_SHARE = 1e-4
 """Of the outer cone distance, where the tolerance of triangles is left empty."""
 SETTINGS = "export"
+_OPTIONS_WIDTH = 300
 
 
 class ExportDialog(QDialog):
@@ -58,8 +62,7 @@ class ExportDialog(QDialog):
         mode: str = "flanks",
     ) -> None:
         super().__init__(parent)
-        self.setWindowTitle("Export")
-        self.setMinimumWidth(480)
+        self.setWindowTitle(tr("Export"))
         self._session, self._settings = session, settings
         self._member = _combo(SUBJECTS, PAIR if mode == "pair" else session.member)
         self._part = _combo({part: PART_TITLES.get(part, part) for part in FORMATS}, self._remembered_part(mode))
@@ -68,9 +71,15 @@ class ExportDialog(QDialog):
         self._construction = _combo(
             {c: CONSTRUCTION_TITLES.get(c, c) for c in CONSTRUCTIONS}, self._last("construction", CONSTRUCTIONS[0])
         )
-        self._formats = {name: QCheckBox(FORMAT_TITLES.get(name, (name.upper(), ""))[0]) for name in _all_formats()}
-        self._chord = QLineEdit(self._last("chord", ""))
+        self._formats = {name: QCheckBox(FORMAT_TITLES[name][0]) for name in FORMAT_TITLES}
+        pair = session.pair
+        self.options = OptionsPanel(None if pair is None else CHORD_SHARE * pair.wheel.outer_cone_distance)
+        self.options.set_choices({name: self._last(name, "") for name in self.options.choices()})
+        self._record = QCheckBox(tr("Keep a record of the check beside each file"))
+        self._record.setToolTip(tr("What was made and what was found, for “gearstudio verify”"))
+        self._record.setChecked(self._last("record", "no") == "yes")
         self._folder = QLineEdit(self._last("folder", "") or folder)
+        self._folder.setAccessibleName(tr("Folder"))
         self._files = QLabel()
         self._files.setProperty("role", "muted")
         self._files.setWordWrap(True)
@@ -81,31 +90,14 @@ class ExportDialog(QDialog):
             box.toggled.connect(self._refresh)
         for combo in (self._member, self._part):
             combo.currentIndexChanged.connect(self._refresh)
-        for line in (self._chord, self._folder):
-            line.textChanged.connect(self._refresh)
+        self._folder.textChanged.connect(self._refresh)
+        self.options.changed.connect(self._refresh)
         self._refresh()
 
     @property
     def formats(self) -> tuple[str, ...]:
         """The files that are ticked and offered for the part."""
         return tuple(name for name, box in self._formats.items() if box.isChecked() and box.isEnabled())
-
-    @property
-    def chord(self) -> float | None:
-        """Chordal tolerance of triangles [mm]; None for the usual one.
-
-        Raises
-        ------
-        ValueError
-            What is typed is no length above 0.
-        """
-        text = self._chord.text().strip()
-        value = parse_number(text) if text else None
-        if value is None:
-            return None
-        if isinstance(value, str) or value <= 0:
-            raise ValueError(text)
-        return float(value)
 
     def job(self) -> ExportJob:
         """What was asked for."""
@@ -118,7 +110,8 @@ class ExportDialog(QDialog):
             formats=self.formats,
             directory=Path(self._folder.text().strip()).expanduser(),
             construction=self._construction.currentData(),
-            chord=self.chord if self._has_triangles else None,
+            options=self.options.options(),
+            records=self._record.isChecked(),
         )
 
     def accept(self) -> None:
@@ -128,8 +121,9 @@ class ExportDialog(QDialog):
                 "part": self._part.currentData(),
                 "construction": self._construction.currentData(),
                 "formats": ",".join(name for name, box in self._formats.items() if box.isChecked()),
-                "chord": self._chord.text().strip(),
                 "folder": self._folder.text().strip(),
+                "record": "yes" if self._record.isChecked() else "no",
+                **self.options.choices(),
             }
             for name, value in values.items():
                 self._settings.setValue(f"{SETTINGS}/{name}", value)
@@ -138,33 +132,49 @@ class ExportDialog(QDialog):
     # ---- parts -----------------------------------------------------------------------------------------
 
     def _lay_out(self) -> None:
-        browse = QPushButton("Browse…")
+        browse = QPushButton(tr("Browse…"))
         browse.setAutoDefault(False)
         browse.clicked.connect(self._browse)
         form = QFormLayout()
         form.setSpacing(8)
-        rows = (("Export", self._member), ("Part", self._part), ("Method", self._method), ("Variant", self._variant))
-        for title, editor in (*rows, ("Construction", self._construction)):
+        rows = (
+            (tr("Export"), self._member, tr("The member, or both where they mesh")),
+            (tr("Part"), self._part, tr("What of it")),
+            (tr("Method"), self._method, tr("The construction whose surfaces are written")),
+            (tr("Variant"), self._variant, tr("As the paper has it, or refined until it meets the tolerance")),
+            (tr("Construction"), self._construction, tr("How a whole gear is put together")),
+        )
+        for title, editor, tip in rows:
+            editor.setAccessibleName(title)
+            editor.setToolTip(tip)
             form.addRow(title, editor)
-        form.addRow("Files", self._format_grid())
-        pair = self._session.pair
-        if pair is not None:
-            usual = CHORD_SHARE * pair.wheel.outer_cone_distance
-            self._chord.setPlaceholderText(number_text(float(f"{usual:.3g}")))
-        self._chord.setToolTip("How far triangles may lie from the surfaces; leave it empty for the usual")
-        self._chord.setMaximumWidth(110)
-        form.addRow("Triangles within", _side_by_side(self._chord, QLabel("mm"), None))
-        form.addRow("Folder", _side_by_side(self._folder, browse))
-        form.addRow("", self._files)
+        form.addRow(tr("Files"), self._format_grid())
+        heading = QLabel(tr("How they are written"))
+        heading.setProperty("role", "heading")
+        right = QVBoxLayout()
+        right.setSpacing(6)
+        right.addWidget(heading)
+        right.addWidget(self.options, 1)
+        self.options.setMinimumWidth(_OPTIONS_WIDTH)
+        columns = QHBoxLayout()
+        columns.setSpacing(24)
+        columns.addLayout(form, 1)
+        columns.addLayout(right, 1)
+        below = QFormLayout()
+        below.setSpacing(8)
+        below.addRow(tr("Folder"), _side_by_side(self._folder, browse))
+        below.addRow("", self._record)
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Cancel)
-        self._export = buttons.addButton("Export", QDialogButtonBox.ButtonRole.AcceptRole)
+        self._export = buttons.addButton(tr("Export"), QDialogButtonBox.ButtonRole.AcceptRole)
         self._export.setDefault(True)
         buttons.accepted.connect(self.accept)
         buttons.rejected.connect(self.reject)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(16, 16, 16, 12)
-        layout.setSpacing(14)
-        layout.addLayout(form)
+        layout.setSpacing(12)
+        layout.addLayout(columns, 1)
+        layout.addLayout(below)
+        layout.addWidget(self._files)
         layout.addWidget(buttons)
 
     def _format_grid(self) -> QGridLayout:
@@ -172,7 +182,7 @@ class ExportDialog(QDialog):
         grid.setHorizontalSpacing(14)
         grid.setVerticalSpacing(5)
         for row, (name, box) in enumerate(self._formats.items()):
-            words = QLabel(FORMAT_TITLES.get(name, ("", ""))[1])
+            words = QLabel(tr(FORMAT_TITLES[name][1]))
             words.setProperty("role", "muted")
             grid.addWidget(box, row, 0)
             grid.addWidget(words, row, 1)
@@ -180,10 +190,6 @@ class ExportDialog(QDialog):
         return grid
 
     # ---- what goes together ------------------------------------------------------------------------------
-
-    @property
-    def _has_triangles(self) -> bool:
-        return any(name not in SOLID_FORMATS for name in self.formats)
 
     def _refresh(self) -> None:
         member, part = self._member.currentData(), self._part.currentData()
@@ -194,18 +200,14 @@ class ExportDialog(QDialog):
         for name, box in self._formats.items():
             box.setEnabled(name in FORMATS[part])
         self._construction.setEnabled(part == "gear")
-        self._chord.setEnabled(self._has_triangles)
-        good = self._chord_is_good()
-        set_severity(self._chord, "" if good else "error")
+        self.options.show_formats(self.formats)
         names = ", ".join(f"{member}-{part}.{name}" for name in self.formats)
-        self._files.setText(f"Writes {names}" if names else "Choose a file format")
-        self._export.setEnabled(bool(names) and good and bool(self._folder.text().strip()))
-
-    def _chord_is_good(self) -> bool:
-        try:
-            return not self._has_triangles or self.chord is None or self.chord > 0
-        except ValueError:
-            return False
+        problem = self.options.problem() or ("" if names else tr("Choose a file format"))
+        if not problem and not self._folder.text().strip():
+            problem = tr("Choose a folder")
+        set_severity(self._folder, "" if self._folder.text().strip() else "error")
+        self._files.setText(problem or tr("Writes {names}", names=names))
+        self._export.setEnabled(not problem)
 
     def _remembered_part(self, mode: str) -> str:
         part = self._last("part", "flanks") if mode == "flanks" else "gear"
@@ -217,7 +219,7 @@ class ExportDialog(QDialog):
         return str(self._settings.value(f"{SETTINGS}/{name}", default) or default)
 
     def _browse(self) -> None:
-        folder = QFileDialog.getExistingDirectory(self, "Folder for the exported files", self._folder.text())
+        folder = QFileDialog.getExistingDirectory(self, tr("Folder for the exported files"), self._folder.text())
         if folder:
             self._folder.setText(folder)
 
@@ -225,35 +227,46 @@ class ExportDialog(QDialog):
 def export_report(files: tuple[ExportedFile, ...]) -> tuple[str, str]:
     """What an export wrote: a line, and what was found on reading each file back."""
     names = ", ".join(f"{file.path.name} ({_size(file.size)})" for file in files)
-    folder = files[0].path.parent if files else ""
-    lines = [
-        f"{file.path.name}: {file.check if file.check is not None else 'read back, flanks the same'}" for file in files
-    ]
-    return f"Wrote {names} to {folder}; read back and checked", "\n".join(lines)
+    folder = str(files[0].path.parent) if files else ""
+    line = tr("Wrote {names} to {folder}; read back and checked", names=names, folder=folder)
+    return line, "\n".join(_found(file) for file in files)
+
+
+def _found(file: ExportedFile) -> str:
+    check = file.check
+    lines = [f"{file.path.name}: {check}"]
+    low, high = check.box
+    box = " × ".join(f"{b - a:.6g}" for a, b in zip(low, high, strict=True))
+    lines.append(tr("box {box} mm · read by {kernel}", box=box, kernel=check.kernel))
+    for face in check.worst:
+        words = tr("{member} {face}: within {largest} µm of theory ({limit} µm allowed)",
+                   member=face.member, face=face.title, largest=f"{face.largest_um:.4f}",
+                   limit=f"{face.limit_um:.4f}")  # fmt: skip
+        lines.append(words)
+    if check.chord_um is not None and check.chord_limit_um is not None:
+        lines.append(
+            tr("triangles within {um} µm of theory ({limit} µm allowed)",
+               um=f"{check.chord_um:.4g}", limit=f"{check.chord_limit_um:.4g}")
+        )  # fmt: skip
+    if file.record is not None:
+        lines.append(tr("record: {name}", name=file.record.name))
+    return "\n  ".join(lines)
 
 
 def _size(size: int) -> str:
     return f"{size / 1e6:.1f} MB" if size >= 1e6 else f"{max(size / 1e3, 1):.0f} kB"
 
 
-def _all_formats() -> tuple[str, ...]:
-    return tuple(dict.fromkeys(name for names in FORMATS.values() for name in names))
-
-
 def _combo(titles: dict[str, str], chosen: str) -> QComboBox:
-    combo = QComboBox()
+    combo = StillCombo()
     for identifier, title in titles.items():
-        combo.addItem(title, identifier)
+        combo.addItem(tr(title), identifier)
     combo.setCurrentIndex(max(combo.findData(chosen), 0))
     return combo
 
 
-def _side_by_side(*widgets: QWidget | None) -> QHBoxLayout:
-    """Widgets in a row, the first one stretched; None takes what room is left."""
+def _side_by_side(wide: QWidget, narrow: QWidget) -> QHBoxLayout:
     row = QHBoxLayout()
-    for index, widget in enumerate(widgets):
-        if widget is None:
-            row.addStretch(1)
-        else:
-            row.addWidget(widget, int(index == 0 and None not in widgets))
+    row.addWidget(wide, 1)
+    row.addWidget(narrow)
     return row

@@ -12,14 +12,14 @@ from typing import Any, NoReturn
 from gearstudio import __version__
 from gearstudio.analysis.contact_placing import MARKING_THICKNESS_UM
 from gearstudio.catalogue import MEMBERS, METHOD_IDS, VARIANTS
-from gearstudio.cli import compare, contact, export, info, measure, points
+from gearstudio.cli import compare, contact, export, info, measure, points, screenshot, verify
 from gearstudio.exchange.points import POINT_FORMATS
+from gearstudio.formats import FORMATS
 from gearstudio.theory.cloud import SPACINGS
 from gearstudio.theory.flank import FLANKS
 
-COMMANDS = ("info", "compare", "points", "export", "contact", "measure")
+COMMANDS = ("info", "compare", "points", "export", "verify", "contact", "measure", "screenshot")
 FEWEST_LINES, MOST_LINES = 2, 2000
-EXPORT_FORMATS = ("step", "iges", "brep", "stl", "3mf", "glb")
 
 
 class Parser(argparse.ArgumentParser):
@@ -44,8 +44,11 @@ def nearest_command(word: str) -> str:
     return get_close_matches(word, COMMANDS, 1, 0.0)[0]
 
 
-def make_parser() -> argparse.ArgumentParser:
-    """The grammar of every command; each sets ``run`` to the function that carries it out."""
+def make_parser(take_picture: screenshot.TakePicture | None = None) -> argparse.ArgumentParser:
+    """The grammar of every command; each sets ``run`` to the function that carries it out.
+
+    ``take_picture`` carries out ``screenshot``, which belongs to the part that draws.
+    """
     parser = Parser(
         prog="gearstudio",
         description="Spiral bevel gears from the exact spherical involute. Without a command, the window opens.",
@@ -89,14 +92,24 @@ def make_parser() -> argparse.ArgumentParser:
         default="assemble",
         help="faces joined, or tooth spaces cut from the blank by Booleans (slow); default: assemble",
     )
-    made.add_argument("--format", choices=EXPORT_FORMATS, action="append", required=True, help="may be repeated")
-    made.add_argument(
-        "--chord",
-        type=_length,
-        metavar="MM",
-        help="how far triangles may lie from the surfaces; default: 1e-4 of the outer cone distance",
-    )
+    made.add_argument("--format", choices=FORMATS["gear"], action="append", required=True, help="may be repeated")
     made.add_argument("--out", required=True, metavar="DIR", help="made when missing")
+    made.add_argument("--details", action="store_true", help="print what was found when each file was read back")
+    made.add_argument("--record", action="store_true", help="keep that beside each file, for verify")
+    export.add_options(made)
+
+    summary = "hold exported files against their design again"
+    made = commands.add_parser("verify", help=summary, description=summary, allow_abbrev=False)
+    made.set_defaults(run=verify.run)
+    made.add_argument("file", metavar="FILE", help="an exported file, its record, or a project (NAME.gear.toml)")
+    made.add_argument("--design", metavar="DESIGN", help="of a file without a record")
+    made.add_argument("--member", choices=(*MEMBERS, export.PAIR), help="default: as the file's name tells")
+    made.add_argument("--part", choices=export.PARTS, help="default: as the file's name tells")
+    made.add_argument("--method", choices=METHOD_IDS, default=METHOD_IDS[0], help=f"default: {METHOD_IDS[0]}")
+    made.add_argument("--variant", choices=VARIANTS, default="optimised", help="default: optimised")
+    made.add_argument("--folder", metavar="DIR", help="of a project's exports; default: the project's own")
+    export.add_options(made)
+    _add_json(made)
 
     made = command("contact", "tooth contact analysis for drive and coast", contact.run)
     made.add_argument(
@@ -122,6 +135,9 @@ def make_parser() -> argparse.ArgumentParser:
     made.add_argument("--no-turn", action="store_true", help="take the points as turned: no best fit about the axis")
     made.add_argument("--no-shift", action="store_true", help="take the points as placed: no best fit along the axis")
     _add_json(made)
+
+    made = command("screenshot", "take a picture of the views, without a window", take_picture or screenshot.refuse)
+    screenshot.add_arguments(made)
     return parser
 
 

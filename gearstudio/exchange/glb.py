@@ -1,4 +1,7 @@
-"""GLB: binary glTF 2.0, one node for each part, one primitive with its colour for each group of faces [m, y up]."""
+"""GLB: binary glTF 2.0, one node for each part, one primitive with its colour for each group of faces.
+
+As glTF asks it is in metres with y up; ``asset.extras`` says so, or how else it was written.
+"""
 
 from __future__ import annotations
 
@@ -11,31 +14,25 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from gearstudio.exchange.colors import linear_color
+from gearstudio.formats import USUAL, ExportOptions
 from gearstudio.results import Mesh
 
 Floats = NDArray[np.float64]
 NamedMesh = tuple[str, Mesh, Floats]
 
-_METRES = 1e-3
-_UP = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, -1.0, 0.0]])
-_COLORS = {
-    "concave": (0.10, 0.32, 0.62),
-    "convex": (0.68, 0.27, 0.09),
-    "fillet": (0.45, 0.48, 0.52),
-    "meridian": (0.45, 0.48, 0.52),
-    "root": (0.38, 0.40, 0.44),
-    "tip": (0.55, 0.58, 0.62),
-}
-_PLAIN = (0.48, 0.50, 0.54)
+_UNITS = {"m": 1e-3, "mm": 1.0}
+_UPS = {"y": np.array([[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, -1.0, 0.0]]), "z": np.eye(3)}
 _FLOAT, _UINT, _POSITIONS, _INDICES = 5126, 5125, 34962, 34963
 _JSON_CHUNK, _BINARY_CHUNK, _MAGIC = 0x4E4F534A, 0x004E4942, 0x46546C67
 
 
-def write(path: Path, meshes: Sequence[NamedMesh]) -> None:
+def write(path: Path, meshes: Sequence[NamedMesh], options: ExportOptions = USUAL) -> None:
     """Every mesh as a node with its place."""
     chunks: list[bytes] = []
+    extras = {"unit": options.glb_unit, "up": options.glb_up}
     tree: dict[str, Any] = {
-        "asset": {"version": "2.0", "generator": "GearStudio"},
+        "asset": {"version": "2.0", "generator": "GearStudio", "extras": extras},
         "scene": 0,
         "scenes": [{"nodes": list(range(len(meshes)))}],
         "nodes": [],
@@ -46,19 +43,24 @@ def write(path: Path, meshes: Sequence[NamedMesh]) -> None:
     }
     for index, (name, mesh, placement) in enumerate(meshes):
         matrix = np.eye(4)
-        matrix[:3, :3] = _UP @ placement
-        tree["nodes"].append({"name": name, "mesh": index, "matrix": matrix.T.ravel().tolist()})
-        points = (mesh.points * _METRES).astype("<f4")
+        matrix[:3, :3] = _UPS[options.glb_up] @ placement
+        title = {"name": name} if options.names else {}
+        tree["nodes"].append({**title, "mesh": index, "matrix": matrix.T.ravel().tolist()})
+        points = (mesh.points * _UNITS[options.glb_unit]).astype("<f4")
         bounds = {"min": points.min(axis=0).tolist(), "max": points.max(axis=0).tolist()}
         position = _accessor(tree, chunks, points, _FLOAT, "VEC3", _POSITIONS)
         tree["accessors"][position] |= bounds
         primitives = []
         for group, triangles in mesh.groups.items():
             corners = _accessor(tree, chunks, triangles.astype("<u4").ravel(), _UINT, "SCALAR", _INDICES)
-            material = len(tree["materials"])
-            primitives.append({"attributes": {"POSITION": position}, "indices": corners, "material": material})
-            tree["materials"].append(_material(group))
-        tree["meshes"].append({"name": name, "primitives": primitives})
+            primitive: dict[str, Any] = {"attributes": {"POSITION": position}, "indices": corners}
+            if options.colors:
+                primitive["material"] = len(tree["materials"])
+                tree["materials"].append(_material(group, options.names))
+            primitives.append(primitive)
+        tree["meshes"].append({**title, "primitives": primitives})
+    if not options.colors:
+        del tree["materials"]
     binary = b"".join(chunks)
     tree["buffers"] = [{"byteLength": len(binary)}]
     text = json.dumps(tree, ensure_ascii=False, separators=(",", ":")).encode("utf-8")
@@ -77,6 +79,8 @@ def read(path: Path) -> list[Mesh]:
     (length,) = struct.unpack_from("<I", content, 12)
     tree = json.loads(content[20 : 20 + length])
     binary = content[20 + length + 8 :]
+    extras = tree["asset"].get("extras", {})
+    up, unit = _UPS[extras.get("up", "y")], _UNITS[extras.get("unit", "m")]
 
     def values(index: int, kind: str, width: int) -> NDArray[np.generic]:
         accessor = tree["accessors"][index]
@@ -86,8 +90,8 @@ def read(path: Path) -> list[Mesh]:
     meshes = []
     for node in tree["nodes"]:
         primitives = tree["meshes"][node["mesh"]]["primitives"]
-        points = values(primitives[0]["attributes"]["POSITION"], "<f4", 3).astype(np.float64) / _METRES
-        turn = _UP.T @ np.array(node["matrix"]).reshape(4, 4).T[:3, :3]
+        points = values(primitives[0]["attributes"]["POSITION"], "<f4", 3).astype(np.float64) / unit
+        turn = up.T @ np.array(node["matrix"]).reshape(4, 4).T[:3, :3]
         corners = [values(p["indices"], "<u4", 1).reshape(-1, 3).astype(np.int64) for p in primitives]
         meshes.append(Mesh(points @ turn.T, {str(k): part for k, part in enumerate(corners)}))
     return meshes
@@ -108,9 +112,8 @@ def _accessor(
     return len(tree["accessors"]) - 1
 
 
-def _material(group: str) -> dict[str, Any]:
-    color = [*_COLORS.get(group, _PLAIN), 1.0]
-    return {
-        "name": group,
-        "pbrMetallicRoughness": {"baseColorFactor": color, "metallicFactor": 0.6, "roughnessFactor": 0.45},
-    }
+def _material(group: str, named: bool) -> dict[str, Any]:
+    color = [*linear_color(group), 1.0]
+    title = {"name": group} if named else {}
+    look = {"baseColorFactor": color, "metallicFactor": 0.6, "roughnessFactor": 0.45}
+    return {**title, "pbrMetallicRoughness": look}

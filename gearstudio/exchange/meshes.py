@@ -11,7 +11,8 @@ from numpy.typing import NDArray
 
 from gearstudio.errors import FileError
 from gearstudio.exchange import glb, stl, threemf
-from gearstudio.results import FileCheck, Mesh
+from gearstudio.formats import ExportOptions
+from gearstudio.results import Mesh
 
 Floats = NDArray[np.float64]
 
@@ -24,53 +25,57 @@ class MeshPart:
     mesh: Mesh
     placement: Floats
 
+    @property
+    def placed(self) -> Mesh:
+        """The mesh where it stands."""
+        return Mesh(self.mesh.points @ self.placement.T, self.mesh.groups)
 
-_WRITERS: dict[str, Callable[[Path, Sequence[MeshPart]], None]] = {
-    "stl": lambda path, parts: stl.write(path, [placed_mesh(part) for part in parts]),
-    "3mf": lambda path, parts: threemf.write(path, [(part.name, part.mesh, part.placement) for part in parts]),
-    "glb": lambda path, parts: glb.write(path, [(part.name, part.mesh, part.placement) for part in parts]),
+
+Writer = Callable[[Path, Sequence[MeshPart], ExportOptions], None]
+_WRITERS: dict[str, Writer] = {
+    "stl": lambda path, parts, options: stl.write(path, [part.placed for part in parts], options.stl_encoding),
+    "3mf": lambda path, parts, options: threemf.write(path, [(p.name, p.mesh, p.placement) for p in parts], options),
+    "glb": lambda path, parts, options: glb.write(path, [(p.name, p.mesh, p.placement) for p in parts], options),
 }
 _READERS: dict[str, Callable[[Path], list[Mesh]]] = {"stl": stl.read, "3mf": threemf.read, "glb": glb.read}
-MESH_FORMATS = tuple(_WRITERS)
 
 
-def write_meshes(path: Path, parts: Sequence[MeshPart], format_: str) -> FileCheck:
-    """Write meshes and read the file back.
+def write_meshes(path: Path, parts: Sequence[MeshPart], format_: str, options: ExportOptions) -> None:
+    """Write meshes in place; OSError when the file cannot be written."""
+    _WRITERS[format_](path, parts, options)
+
+
+def read_meshes(path: Path, format_: str, counts: Sequence[int] = ()) -> list[Mesh]:
+    """The placed meshes of a file [mm].
+
+    Parameters
+    ----------
+    path : Path
+    format_ : {"stl", "3mf", "glb"}
+    counts : sequence of int
+        Triangles of each part; STL does not say where one ends, and is divided there when the sum is right.
 
     Raises
     ------
     FileError
-        What is read is not what was written.
-    OSError
-        The file cannot be written.
+        It is cut off, damaged, or of another format.
     """
-    _WRITERS[format_](path, parts)
     try:
         meshes = _READERS[format_](path)
-    except (ValueError, KeyError, IndexError) as error:
-        raise FileError(path, "the file is not complete after writing; the disk may be full") from error
-    wanted = [placed_mesh(part) for part in parts]
-    expected, volume = sum(mesh.volume for mesh in wanted), sum(mesh.volume for mesh in meshes)
-    closed = bool(meshes) and all(mesh.is_closed for mesh in meshes)
-    check = FileCheck(
-        format=format_,
-        valid=closed,
-        closed=closed,
-        solids=len(parts) if format_ == "stl" else len(meshes),
-        faces=sum(len(mesh.triangles) for mesh in meshes),
-        volume=volume,
-        volume_error=abs(volume - expected) / expected,
-        box_error=float(np.abs(_box(meshes) - _box(wanted)).max()) if meshes else np.inf,
-    )
-    check.require(path, len(parts))
-    return check
+    except (ValueError, KeyError, IndexError, TypeError) as error:
+        raise FileError(path, f"this is no complete {format_.upper()} file; it may be cut off or damaged") from error
+    if len(meshes) == 1 and len(counts) > 1 and sum(counts) == len(meshes[0].triangles):
+        ends = np.cumsum(counts)[:-1]
+        return [_without_loose_points(meshes[0].points, part) for part in np.split(meshes[0].triangles, ends)]
+    return meshes
 
 
-def placed_mesh(part: MeshPart) -> Mesh:
-    """The mesh where it stands."""
-    return Mesh(part.mesh.points @ part.placement.T, part.mesh.groups)
-
-
-def _box(meshes: Sequence[Mesh]) -> Floats:
+def mesh_box(meshes: Sequence[Mesh]) -> Floats:
+    """Least and greatest coordinates [mm], shape (2, 3)."""
     points = np.concatenate([mesh.points for mesh in meshes])
     return np.stack([points.min(axis=0), points.max(axis=0)])
+
+
+def _without_loose_points(points: Floats, triangles: NDArray[np.int64]) -> Mesh:
+    used, index = np.unique(triangles, return_inverse=True)
+    return Mesh(points[used], {"all": index.reshape(-1, 3)})

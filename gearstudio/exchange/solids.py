@@ -1,32 +1,39 @@
-"""A tooth, a gear or a pair of a design as files, whatever the format."""
+"""A tooth, a gear or a pair of a design as files, whatever the format, and files held against it."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, field
+from functools import cached_property
 from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
 from gearstudio.catalogue import MEMBERS, Variant
+from gearstudio.checks import FileCheck
 from gearstudio.design import Design
-from gearstudio.exchange.meshes import MESH_FORMATS, MeshPart, write_meshes
+from gearstudio.errors import GeometryError, ModellingError
+from gearstudio.exchange.meshes import MeshPart, read_meshes, write_meshes
+from gearstudio.exchange.proof import Wanted, wanted
+from gearstudio.exchange.reading import check_meshes, check_shape
+from gearstudio.formats import MESH_FORMATS, USUAL, ExportOptions
 from gearstudio.kernel.cutting import Face, Report, Solid
 from gearstudio.kernel.document import Part
-from gearstudio.kernel.exchange import SOLID_FORMATS, write_solids
+from gearstudio.kernel.exchange import read_shape
 from gearstudio.kernel.solids import solid_volume
+from gearstudio.kernel.writing import write_solids
 from gearstudio.methods.gear import Gear, blank_sizes, build_gear, design_tooth, ignore, target_of
 from gearstudio.methods.gear_mesh import gear_mesh, tooth_mesh
 from gearstudio.methods.single import tooth_names, tooth_solid
 from gearstudio.methods.tooth import Tooth
-from gearstudio.results import FileCheck, Mesh
+from gearstudio.results import Mesh
 from gearstudio.theory.blank import blank_outline
 from gearstudio.theory.cones import pair_geometry
 from gearstudio.theory.pair import pinion_placement, wheel_placement
 
 Floats = NDArray[np.float64]
 
-FORMATS = (*SOLID_FORMATS, *MESH_FORMATS)
 _CHORD_SHARE = 1e-4
 _COLORS = {"pinion": (0.80, 0.74, 0.62), "wheel": (0.66, 0.72, 0.80)}
 _FLANK_COLORS = (("concave", (0.20, 0.45, 0.75)), ("convex", (0.82, 0.45, 0.20)))
@@ -42,8 +49,7 @@ class Product:
     part : {"tooth", "gear"}
     construction : {"assemble", "cut"}
         Of the solids; meshes are of the same surfaces either way.
-    chord : float or None
-        Farthest that triangles may lie from the surfaces [mm]; by default 1e-4 of the outer cone distance.
+    options : ExportOptions
     """
 
     design: Design
@@ -52,7 +58,7 @@ class Product:
     method: str
     variant: Variant
     construction: str = "assemble"
-    chord: float | None = None
+    options: ExportOptions = USUAL
     _solids: list[Part] = field(default_factory=list)
     _teeth: dict[str, Tooth] = field(default_factory=dict)
 
@@ -72,9 +78,28 @@ class Product:
             It cannot be written, or is not the same when read back.
         """
         if format_ in MESH_FORMATS:
-            parts = [MeshPart(name, self._mesh(name), self._placement(name)) for name in self._members]
-            return write_meshes(path, parts, format_)
-        return write_solids(path, self.name, self.solids(ignore), format_)
+            write_meshes(path, self._meshes, format_, self.options)
+        else:
+            write_solids(path, self.name, self.solids(ignore), format_, self.options)
+        check = self.check(path, format_)
+        check.require(path)
+        return check
+
+    def check(self, path: Path, format_: str) -> FileCheck:
+        """Hold a file against what it should be.
+
+        Raises
+        ------
+        BlankError, ModellingError
+            The part cannot be built.
+        FileError
+            The file cannot be read.
+        """
+        if format_ in MESH_FORMATS:
+            counts = [len(part.mesh.triangles) for part in self._meshes]
+            chord = max(self._chord(self._tooth(name)) for name in self._members)
+            return check_meshes(read_meshes(path, format_, counts), format_, self._meshes, self._wanted, chord)
+        return check_shape(read_shape(path, format_), format_, self.solids(ignore), self._wanted)
 
     def solids(self, report: Report) -> list[Part]:
         """The solids with names and places."""
@@ -85,6 +110,18 @@ class Product:
     @property
     def _members(self) -> tuple[str, ...]:
         return MEMBERS if self.member == "pair" else (self.member,)
+
+    @cached_property
+    def _meshes(self) -> list[MeshPart]:
+        return [MeshPart(name, self._mesh(name), self._placement(name)) for name in self._members]
+
+    @cached_property
+    def _wanted(self) -> list[Wanted]:
+        tolerance, single = self.design.methods.tolerance_um, self.part == "tooth"
+        return [
+            wanted(self._tooth(name), None if single else self._outline(name), self._placement(name), tolerance, single)
+            for name in self._members
+        ]
 
     def _solid(self, name: str, report: Report) -> Part:
         if self.part == "tooth":
@@ -104,12 +141,24 @@ class Product:
             self._teeth[name] = design_tooth(self.design, name, self.method, self.variant)
         return self._teeth[name]
 
+    def _outline(self, name: str) -> Floats:
+        return blank_outline(self._tooth(name).member, blank_sizes(self.design, name)).points
+
+    def _chord(self, tooth: Tooth) -> float:
+        return self.options.chord if self.options.chord is not None else _CHORD_SHARE * tooth.member.outer_cone_distance
+
     def _mesh(self, name: str) -> Mesh:
         tooth = self._tooth(name)
-        chord = self.chord if self.chord is not None else _CHORD_SHARE * tooth.member.outer_cone_distance
-        if self.part == "tooth":
-            return tooth_mesh(tooth, chord)
-        return gear_mesh(tooth, blank_outline(tooth.member, blank_sizes(self.design, name)).points, chord)
+        angle = np.pi if self.options.angle_deg is None else float(np.radians(self.options.angle_deg))
+        make: Callable[[float, float], Mesh] = (
+            (lambda chord, bend: tooth_mesh(tooth, chord, bend))
+            if self.part == "tooth"
+            else (lambda chord, bend: gear_mesh(tooth, self._outline(name), chord, bend))
+        )
+        try:
+            return make(self._chord(tooth), angle)
+        except GeometryError as error:
+            raise ModellingError(self.method, f"meshing of the {name}", str(error)) from error
 
     def _placement(self, name: str) -> Floats:
         if self.member != "pair":

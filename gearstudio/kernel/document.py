@@ -64,11 +64,11 @@ def located(part: Part) -> TopoDS_Shape:
     return part.solid.Located(location(part.placement))
 
 
-def make_document(name: str, parts: Sequence[Part]) -> TDocStd_Document:
-    """One part, or an assembly of several, with the names and colours of parts and faces."""
+def make_document(name: str, parts: Sequence[Part], face_names: bool = True) -> TDocStd_Document:
+    """One part, or an assembly of several, with the names and colours of parts and, if wanted, names of faces."""
     document = TDocStd_Document(TCollection_ExtendedString("XmlXCAF"))
     shapes = XCAFDoc_DocumentTool.ShapeTool_s(document.Main())
-    labels = [_add(document, part) for part in parts]
+    labels = [_add(document, part, face_names) for part in parts]
     if len(parts) > 1:
         whole = shapes.NewShape()
         set_name(whole, name)
@@ -83,7 +83,7 @@ def set_name(label: TDF_Label, text: str) -> None:
     TDataStd_Name.Set_s(label, TCollection_ExtendedString(text, True))
 
 
-def _add(document: TDocStd_Document, part: Part) -> TDF_Label:
+def _add(document: TDocStd_Document, part: Part, face_names: bool) -> TDF_Label:
     shapes = XCAFDoc_DocumentTool.ShapeTool_s(document.Main())
     colors = XCAFDoc_DocumentTool.ColorTool_s(document.Main())
     label = shapes.AddShape(part.solid, False)
@@ -93,7 +93,8 @@ def _add(document: TDocStd_Document, part: Part) -> TDF_Label:
         sub = shapes.AddSubShape(label, face)
         if sub.IsNull():
             continue
-        set_name(sub, name)
+        if face_names:
+            set_name(sub, name)
         for word, color in part.face_colors:
             if name.endswith(word):
                 colors.SetColor(sub, _color(color), XCAFDoc_ColorType.XCAFDoc_ColorSurf)

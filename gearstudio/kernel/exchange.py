@@ -1,104 +1,105 @@
-"""Solids as files for other CAD programs: writers by format, and what is found when a file is read back."""
+"""Files of CAD programs read back: the solids in them, and points of every face."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
+from functools import cache
+from importlib import metadata
 from pathlib import Path
 
 import numpy as np
+from numpy.typing import NDArray
+from OCP.BinTools import BinTools
 from OCP.BRep import BRep_Builder
+from OCP.BRepAdaptor import BRepAdaptor_Surface
+from OCP.BRepBuilderAPI import BRepBuilderAPI_MakeSolid, BRepBuilderAPI_Sewing
 from OCP.BRepTools import BRepTools
+from OCP.gp import gp_Pnt2d
 from OCP.IFSelect import IFSelect_ReturnStatus
-from OCP.IGESCAFControl import IGESCAFControl_Writer
-from OCP.IGESControl import IGESControl_Controller, IGESControl_Reader
-from OCP.Interface import Interface_Static
-from OCP.STEPCAFControl import STEPCAFControl_Writer
-from OCP.STEPControl import STEPControl_Reader, STEPControl_StepModelType
-from OCP.TopAbs import TopAbs_ShapeEnum
-from OCP.TopoDS import TopoDS_Shape
+from OCP.IGESControl import IGESControl_Reader
+from OCP.IntTools import IntTools_FClass2d
+from OCP.Standard import Standard_Failure
+from OCP.STEPControl import STEPControl_Reader
+from OCP.TopAbs import TopAbs_ShapeEnum, TopAbs_State
+from OCP.TopoDS import TopoDS, TopoDS_Face, TopoDS_Shape
 
 from gearstudio.errors import FileError
 from gearstudio.kernel.cutting import compound, parts
-from gearstudio.kernel.document import Part, located, make_document
-from gearstudio.kernel.solids import corner_box, is_closed, is_valid, solid_volume
+from gearstudio.kernel.solids import is_closed, is_valid, solid_volume
 from gearstudio.kernel.step import settle
-from gearstudio.results import FileCheck
 
-SOLID_FORMATS = ("step", "iges", "brep")
+Floats = NDArray[np.float64]
+Shape = TopoDS_Shape
+
+_SEWN_WITHIN = 1e-4
+_ON_BORDER = 1e-7
+_BINARY_BREP = b"\nOpen CASCADE Topology"
 
 
-def write_solids(path: Path, name: str, made: Sequence[Part], format_: str) -> FileCheck:
-    """Write parts and read the file back.
-
-    Parameters
-    ----------
-    path : Path
-        Written in place.
-    name : str
-        Of the product as a whole.
-    made : sequence of Part
-        One, or several that make an assembly.
-    format_ : {"step", "iges", "brep"}
+def read_shape(path: Path, format_: str) -> TopoDS_Shape:
+    """What a file holds, in mm; faces that belong to no solid are sewn into solids.
 
     Raises
     ------
     FileError
-        The kernel could not write or read the file, or what it reads is not what was written.
+        The kernel finds nothing in it.
     """
     settle()
-    write, read = _WRITERS[format_], _READERS[format_]
-    if not write(path, name, made):
-        raise FileError(path, f"the CAD kernel could not write the {format_.upper()} file; the disk may be full")
-    shape = read(path)
+    try:
+        shape = _READERS[format_](path)
+    except (Standard_Failure, RuntimeError, UnicodeDecodeError) as error:
+        raise _unreadable(path, format_) from error
     if shape is None or shape.IsNull():
-        raise FileError(path, "the file is not complete after writing; the disk may be full")
-    return _checked(path, format_, shape, made)
+        raise _unreadable(path, format_)
+    return shape if parts(shape, TopAbs_ShapeEnum.TopAbs_SOLID) else _sewn(shape)
 
 
-def _checked(path: Path, format_: str, shape: TopoDS_Shape, made: Sequence[Part]) -> FileCheck:
-    solids = parts(shape, TopAbs_ShapeEnum.TopAbs_SOLID)
-    wanted = sum(part.volume for part in made)
-    volume = sum(solid_volume(solid) for solid in solids)
-    box = corner_box(compound([located(part) for part in made]))
-    check = FileCheck(
-        format=format_,
-        valid=bool(solids) and is_valid(shape),
-        closed=bool(solids) and all(is_closed(solid) for solid in solids),
-        solids=len(solids),
-        faces=len(parts(shape, TopAbs_ShapeEnum.TopAbs_FACE)),
-        volume=volume,
-        volume_error=abs(volume - wanted) / wanted,
-        box_error=float(np.abs(corner_box(shape) - box).max()) if solids else np.inf,
-    )
-    check.require(path, len(made))
-    return check
+def solids_of(shape: TopoDS_Shape) -> list[TopoDS_Shape]:
+    """The solids of a shape, each where it stands."""
+    return parts(shape, TopAbs_ShapeEnum.TopAbs_SOLID)
 
 
-def _write_step(path: Path, name: str, made: Sequence[Part]) -> bool:
-    writer = STEPCAFControl_Writer()
-    writer.SetNameMode(True)
-    writer.SetColorMode(True)
-    writer.Transfer(make_document(name, made), STEPControl_StepModelType.STEPControl_AsIs)
-    return bool(writer.Write(str(path)) == IFSelect_ReturnStatus.IFSelect_RetDone)
+def faces_of(shape: TopoDS_Shape) -> list[TopoDS_Face]:
+    """The faces of a shape, each where it stands."""
+    return [TopoDS.Face(face) for face in parts(shape, TopAbs_ShapeEnum.TopAbs_FACE)]
 
 
-def _write_iges(path: Path, name: str, made: Sequence[Part]) -> bool:
-    IGESControl_Controller.Init_s()
-    Interface_Static.SetIVal_s("write.iges.brep.mode", 1)
-    Interface_Static.SetCVal_s("write.iges.unit", "MM")
-    writer = IGESCAFControl_Writer()
-    writer.SetNameMode(True)
-    writer.SetColorMode(True)
-    writer.Transfer(make_document(name, made))
-    return bool(writer.Write(str(path)))
+def verdict(shape: TopoDS_Shape) -> tuple[bool, bool, float]:
+    """Whether a shape's solids are valid by the kernel's full check, and closed; their volume [mm^3]."""
+    solids = solids_of(shape)
+    closed = bool(solids) and all(is_closed(solid) for solid in solids)
+    return bool(solids) and is_valid(shape), closed, sum(solid_volume(solid) for solid in solids)
 
 
-def _write_brep(path: Path, name: str, made: Sequence[Part]) -> bool:
-    shapes = [located(part) for part in made]
-    return bool(BRepTools.Write_s(shapes[0] if len(shapes) == 1 else compound(shapes), str(path)))
+def face_points(face: TopoDS_Face, count: int) -> Floats:
+    """Points of a face on an even grid of its parameters, its border included, shape (n, 3) [mm].
+
+    At most count² points: those beyond a border that cuts through the grid are left out.
+    """
+    surface, inside = BRepAdaptor_Surface(face), IntTools_FClass2d(face, _ON_BORDER)
+    u0, u1, v0, v1 = BRepTools.UVBounds_s(face)
+    found = []
+    for u in np.linspace(u0, u1, count).tolist():
+        for v in np.linspace(v0, v1, count).tolist():
+            if inside.Perform(gp_Pnt2d(u, v)) != TopAbs_State.TopAbs_OUT:
+                point = surface.Value(u, v)
+                found.append((point.X(), point.Y(), point.Z()))
+    return np.array(found, dtype=np.float64).reshape(-1, 3)
 
 
-def _read_step(path: Path) -> TopoDS_Shape | None:
+@cache
+def kernel_version() -> str:
+    """Name and version of the CAD kernel."""
+    for name in ("cadquery-ocp-novtk", "cadquery-ocp"):
+        try:
+            return f"Open CASCADE {metadata.version(name)}"
+        except metadata.PackageNotFoundError:
+            continue
+    return "Open CASCADE"
+
+
+def read_step(path: Path) -> TopoDS_Shape | None:
+    """What a STEP file holds, in mm; None when the kernel cannot read it."""
     reader = STEPControl_Reader()
     if reader.ReadFile(str(path)) != IFSelect_ReturnStatus.IFSelect_RetDone:
         return None
@@ -116,16 +117,34 @@ def _read_iges(path: Path) -> TopoDS_Shape | None:
 
 def _read_brep(path: Path) -> TopoDS_Shape | None:
     shape = TopoDS_Shape()
+    with open(path, "rb") as file:
+        binary = file.read(len(_BINARY_BREP)) == _BINARY_BREP
+    if binary:
+        return shape if BinTools.Read_s(shape, str(path)) else None
     return shape if BRepTools.Read_s(shape, str(path), BRep_Builder()) else None
 
 
-_WRITERS: dict[str, Callable[[Path, str, Sequence[Part]], bool]] = {
-    "step": _write_step,
-    "iges": _write_iges,
-    "brep": _write_brep,
-}
 _READERS: dict[str, Callable[[Path], TopoDS_Shape | None]] = {
-    "step": _read_step,
+    "step": read_step,
     "iges": _read_iges,
     "brep": _read_brep,
 }
+
+
+def _sewn(shape: TopoDS_Shape) -> TopoDS_Shape:
+    """Closed shells of loose faces as solids, or the shape as it is."""
+    sewing = BRepBuilderAPI_Sewing(_SEWN_WITHIN)
+    sewing.Add(shape)
+    sewing.Perform()
+    shells = [TopoDS.Shell(shell) for shell in parts(sewing.SewedShape(), TopAbs_ShapeEnum.TopAbs_SHELL)]
+    if not shells or not all(is_closed(shell) for shell in shells):
+        return shape
+    solids: list[TopoDS_Shape] = []
+    for shell in shells:
+        solid = BRepBuilderAPI_MakeSolid(shell).Solid()
+        solids.append(solid if solid_volume(solid) > 0 else solid.Reversed())
+    return compound(solids)
+
+
+def _unreadable(path: Path, format_: str) -> FileError:
+    return FileError(path, f"the CAD kernel cannot read this as {format_.upper()}; it may be cut off or damaged")

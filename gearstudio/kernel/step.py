@@ -1,4 +1,4 @@
-"""STEP files (AP242, mm) with named faces, and their reading back."""
+"""STEP files with named faces, and their reading back."""
 
 from __future__ import annotations
 
@@ -24,14 +24,18 @@ from OCP.TopoDS import TopoDS, TopoDS_Compound
 from OCP.XCAFDoc import XCAFDoc_DocumentTool
 
 from gearstudio.errors import FileError
+from gearstudio.formats import USUAL, ExportOptions
 from gearstudio.kernel.convert import to_face, to_record
 from gearstudio.kernel.document import set_name
 from gearstudio.nurbs import NurbsSurface
 
-_SCHEMA_AP242 = 5
+_SCHEMAS = {"ap203": 3, "ap214": 4, "ap242": 5}
+_UNITS = {"mm": "MM", "inch": "INCH"}
 
 
-def write_flanks_step(path: Path, surfaces: Mapping[str, NurbsSurface], name: str) -> None:
+def write_flanks_step(
+    path: Path, surfaces: Mapping[str, NurbsSurface], name: str, options: ExportOptions = USUAL
+) -> None:
     """Write surfaces as named faces of one part.
 
     Parameters
@@ -42,6 +46,8 @@ def write_flanks_step(path: Path, surfaces: Mapping[str, NurbsSurface], name: st
         [mm]
     name : str
         Of the part.
+    options : ExportOptions
+        Schema and unit; the faces have their names always.
 
     Raises
     ------
@@ -49,6 +55,7 @@ def write_flanks_step(path: Path, surfaces: Mapping[str, NurbsSurface], name: st
         The kernel could not write the file.
     """
     settle()
+    choose_step(options.step_schema, options.step_unit)
     document = TDocStd_Document(TCollection_ExtendedString("XmlXCAF"))
     shapes = XCAFDoc_DocumentTool.ShapeTool_s(document.Main())
     part, builder = TopoDS_Compound(), BRep_Builder()
@@ -105,11 +112,15 @@ def settle() -> None:
     """The kernel's process-wide settings for STEP, and no chatter on standard output."""
     Message.DefaultMessenger_s().RemovePrinters(Message_PrinterOStream.get_type_descriptor_s())
     STEPCAFControl_Controller.Init_s()
-    Interface_Static.SetIVal_s("write.step.schema", _SCHEMA_AP242)
-    Interface_Static.SetCVal_s("write.step.unit", "MM")
     Interface_Static.SetIVal_s("write.surfacecurve.mode", 0)  # edges as curves in space alone: half the size
     Interface_Static.SetIVal_s("write.stepcaf.subshapes.name", 1)
     Interface_Static.SetIVal_s("read.stepcaf.subshapes.name", 1)
+
+
+def choose_step(schema: str, unit: str) -> None:
+    """The schema ("ap242", "ap214", "ap203") and unit ("mm", "inch") of the STEP files that are written next."""
+    Interface_Static.SetIVal_s("write.step.schema", _SCHEMAS[schema])
+    Interface_Static.SetCVal_s("write.step.unit", _UNITS[unit])
 
 
 def read_name(label: TDF_Label) -> str:

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from gearstudio.errors import GeometryError
 from gearstudio.methods.grafts import placed
-from gearstudio.methods.rings import SHARE, Points, Rings
+from gearstudio.methods.rings import SHARE, TWIST_SHARE, Points, Rings
 from gearstudio.methods.spread import Spread
 from gearstudio.methods.tooth import Tooth
 from gearstudio.nurbs import NurbsSurface
@@ -47,10 +47,11 @@ def gear_mesh(tooth: Tooth, outline: Floats, tolerance: float, angle: float = np
     sampled = _Sampled.of(tooth, tolerance, angle)
     maker = Points()
     columns = maker.add(_all_turns(sampled.points, member.teeth))
+    placed_points = maker.stacked()
     groups: dict[str, list[Ints]] = {}
     for name, first, last in sampled.faces:
         starts = np.arange(first, last)[None, :] + sampled.columns * np.arange(member.teeth)[:, None]
-        groups.setdefault(name, []).append(_quads(columns, starts.ravel()))
+        groups.setdefault(name, []).append(_quads(columns, starts.ravel(), True, placed_points))
     body: list[Ints] = []
     rings = Rings(member, outline, tolerance, angle, maker)
     for end in (1, 0):
@@ -69,7 +70,9 @@ def tooth_mesh(tooth: Tooth, tolerance: float, angle: float = np.pi) -> Mesh:
     columns = maker.add(sampled.points)
     groups: dict[str, list[Ints]] = {}
     for name, first, last in sampled.faces:
-        groups.setdefault(name, []).append(_quads(columns, np.arange(first, last), closed=False))
+        groups.setdefault(name, []).append(
+            _quads(columns, np.arange(first, last), False, sampled.points.reshape(-1, 3))
+        )
     bottoms = []
     for end in (1, 0):
         loop, ladder = _end_ladder(sampled, columns, end, maker)
@@ -81,7 +84,7 @@ def tooth_mesh(tooth: Tooth, tolerance: float, angle: float = np.pi) -> Mesh:
     ]
     rows = [bottoms[1], *(np.r_[columns[0, k + 1], maker.add(row), columns[-1, k + 1]] for k, row in enumerate(inner))]
     grid = np.stack([*rows, bottoms[0]], axis=1)[::-1]
-    groups["body"].append(_quads(grid, np.arange(len(grid) - 1), closed=False))
+    groups["body"].append(_quads(grid, np.arange(len(grid) - 1), False, maker.stacked()))
     return Mesh(maker.stacked(), {name: np.concatenate(parts) for name, parts in groups.items()})
 
 
@@ -106,7 +109,8 @@ class _Sampled:
         along = max(_count(face.surface, 1, goal, angle) for face in faces)
         across = {"tip": _end_count(tooth, goal, angle)}
         for face in faces:
-            across[face.kind] = max(across.get(face.kind, 0), _count(face.surface, 0, goal, angle))
+            least = max(across.get(face.kind, 0), _twist(face.surface) / (4 * along * TWIST_SHARE * tolerance))
+            across[face.kind] = max(int(np.ceil(least)), _count(face.surface, 0, goal, angle))
         if 2 * along * sum(across[face.kind] for face in faces) * tooth.member.teeth > _MOST_TRIANGLES:
             raise GeometryError(
                 f"triangles within {tolerance:.3g} mm and {np.degrees(angle):.3g}° of the {tooth.member.name} would be "
@@ -144,6 +148,16 @@ def _count(surface: NurbsSurface, axis: int, goal: float, angle: float) -> int:
     return int(np.clip(np.ceil(max(steps, (len(fine) - 1) * bend / angle)), _FEWEST, _MOST))
 
 
+def _twist(surface: NurbsSurface) -> float:
+    """Largest normal part of the mixed derivative [mm]: a cell's diagonals lie a quarter of its share of it away."""
+    p = surface.uniform_grid(_FIRST + 1, _FIRST + 1)
+    one, other = p[1:, 1:] - p[:-1, :-1], p[1:, :-1] - p[:-1, 1:]
+    normal = np.cross(one, other)
+    normal /= np.maximum(np.linalg.norm(normal, axis=-1, keepdims=True), np.finfo(float).tiny)
+    mixed = p[1:, 1:] - p[1:, :-1] - p[:-1, 1:] + p[:-1, :-1]
+    return float(_FIRST**2 * np.abs(np.einsum("ijk,ijk->ij", mixed, normal)).max())
+
+
 def _end_count(tooth: Tooth, goal: float, angle: float) -> int:
     """Even steps across the foot of the tooth's ends, which are as curved as the circle that they stand on."""
     member, fillet = tooth.member, tooth.profile.fillet
@@ -161,11 +175,19 @@ def _all_turns(points: Floats, teeth: int) -> Floats:
     return np.stack([x, y, z], axis=-1).reshape(-1, points.shape[1], 3)
 
 
-def _quads(grid: Ints, starts: Ints, closed: bool = True) -> Ints:
-    """Two triangles for every cell between columns starts and starts + 1 of a grid of indices."""
+def _quads(grid: Ints, starts: Ints, closed: bool = True, points: Floats | None = None) -> Ints:
+    """Two triangles for every cell between columns starts and starts + 1 of a grid of indices.
+
+    With their points the cells are cut along the diagonals that are shorter as a whole, which lie nearer to a
+    twisted face.
+    """
     here, there = grid[starts], grid[(starts + 1) % len(grid) if closed else starts + 1]
     a, b, c, d = here[:, :-1], there[:, :-1], there[:, 1:], here[:, 1:]
-    return np.concatenate([np.stack([a, b, c], -1).reshape(-1, 3), np.stack([a, c, d], -1).reshape(-1, 3)])
+    halves = (a, b, c), (a, c, d)
+    if points is not None:
+        usual, other = (float(np.linalg.norm(points[p] - points[q], axis=-1).sum()) for p, q in ((a, c), (b, d)))
+        halves = ((a, b, d), (b, c, d)) if other < usual else halves
+    return np.concatenate([np.stack(half, -1).reshape(-1, 3) for half in halves])
 
 
 def _across(member: MemberGeometry, left: Floats, right: Floats, count: int) -> Floats:

@@ -15,6 +15,8 @@ Ints = NDArray[np.int64]
 
 SHARE = 0.4
 """Part of a tolerance that chords along one direction may take."""
+TWIST_SHARE = 0.25
+"""Part of it that a twisted cell's diagonal may take."""
 
 
 class Points:

@@ -19,6 +19,7 @@ from OCP.XCAFDoc import XCAFDoc_DocumentTool
 from gearstudio.design import Design, with_field
 from gearstudio.errors import FileError
 from gearstudio.exchange import glb, stl, threemf
+from gearstudio.formats import ExportOptions
 from gearstudio.jobs import ExportJob
 from gearstudio.kernel.step import read_name, settle
 from gearstudio.methods.gear import blank_sizes, design_tooth, ignore
@@ -122,9 +123,8 @@ def test_a_file_that_was_cut_off_is_noticed(module: Any, kind: str, tmp_path: Pa
 
 
 def test_the_chord_asked_for_is_kept(tmp_path: Path) -> None:
-    coarse, fine = (export(tmp_path, ("stl",), chord=chord).run(ignore)[0].check for chord in (0.1, 0.005))
-    assert coarse is not None
-    assert fine is not None
+    options = [ExportOptions(chord=chord) for chord in (0.1, 0.005)]
+    coarse, fine = (export(tmp_path, ("stl",), options=each).run(ignore)[0].check for each in options)
     assert fine.faces > 3 * coarse.faces
 
 

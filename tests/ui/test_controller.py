@@ -10,6 +10,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtTest import QTest
 
+from gearstudio.checks import FileCheck
 from gearstudio.jobs import ExportedFile, ExportJob
 from tests.ui.stand_ins import Bench
 from ui.session import Key
@@ -145,9 +146,10 @@ def test_the_state_of_the_cad_process_is_shown(bench: Bench) -> None:
 
 def test_exports_report_what_was_written(bench: Bench, tmp_path: Path) -> None:
     job = ExportJob(bench.session.design, "wheel", "flanks", "point_cloud", "optimised", ("step",), tmp_path)
+    check = FileCheck("step", True, False, 0, 2, 0.0, 0.0, 0.0, wanted_solids=0)
     bench.files.export_requested.emit(job)
     assert bench.runner.jobs == (job,)
-    bench.runner.job_done.emit(job, (ExportedFile(tmp_path / "wheel-flanks.step", "step", 123_400),))
+    bench.runner.job_done.emit(job, (ExportedFile(tmp_path / "wheel-flanks.step", "step", 123_400, check),))
     assert "wheel-flanks.step (123 kB)" in bench.window.messages.text
     bench.runner.job_failed.emit(job, "the disk is full", "")
     assert "the disk is full" in bench.window.messages.text

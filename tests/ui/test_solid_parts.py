@@ -6,10 +6,11 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QSettings
 
+from gearstudio.checks import FileCheck
 from gearstudio.design import Design
 from gearstudio.errors import GeometryError
+from gearstudio.formats import ExportOptions
 from gearstudio.presets import PRESETS
-from gearstudio.results import FileCheck
 from gearstudio.theory.blank import BlankError
 from gearstudio.theory.cones import pair_geometry
 from tests.ui.made_up_solid import solid_of
@@ -201,13 +202,15 @@ def test_the_dialog_offers_what_goes_together(bench: Bench, tmp_path) -> None:
     dialog = ExportDialog(bench.session, str(tmp_path), bench.window, mode="pair")
     assert dialog.job().member == "pair" and dialog.job().part == "gear" and not dialog._part.isEnabled()
     dialog._formats["stl"].setChecked(True)
-    assert dialog.formats == ("step", "stl") and dialog._chord.isEnabled()
+    chord = dialog.options.editor("chord")
+    assert dialog.formats == ("step", "stl") and chord.isVisibleTo(dialog)
     for text, good in (("0,05", True), ("x", False), ("-1", False), ("", True)):
-        dialog._chord.setText(text)
+        chord.setText(text)
         assert dialog._export.isEnabled() == good
+        assert ("Triangles within" in dialog._files.text()) != good
     dialog._member.setCurrentIndex(dialog._member.findData("pinion"))
     dialog._part.setCurrentIndex(dialog._part.findData("flanks"))
-    assert dialog.formats == ("step",) and dialog.job().chord is None and not dialog._formats["stl"].isEnabled()
+    assert dialog.formats == ("step",) and not chord.isVisibleTo(dialog) and not dialog._formats["stl"].isEnabled()
     dialog._formats["step"].setChecked(False)
     assert not dialog._export.isEnabled()
 
@@ -219,11 +222,18 @@ def test_the_last_choices_are_remembered(bench: Bench, tmp_path) -> None:
     first._construction.setCurrentIndex(1)
     for name, box in first._formats.items():
         box.setChecked(name in ("iges", "glb"))
-    first._chord.setText("0.02")
+    first.options.editor("chord").setText("0.02")
+    first.options.editor("step_unit").setCurrentIndex(1)
+    first.options.editor("names").setChecked(False)
+    first._record.setChecked(True)
     first._folder.setText(str(tmp_path / "Räder 齿轮"))
     first.accept()
-    job = ExportDialog(bench.session, str(tmp_path), bench.window, settings).job()
-    assert (job.part, job.construction, job.formats, job.chord) == ("gear", "cut", ("iges", "glb"), 0.02)
+    again = ExportDialog(bench.session, str(tmp_path), bench.window, settings)
+    job = again.job()
+    assert (job.part, job.construction, job.formats, job.records) == ("gear", "cut", ("iges", "glb"), True)
+    assert job.options == ExportOptions(chord=0.02, names=False)
+    again._formats["step"].setChecked(True)
+    assert again.job().options.step_unit == "inch"
     assert job.directory == tmp_path / "Räder 齿轮"
 
 
