@@ -42,7 +42,7 @@ def _tooth_volume(profile: ToothProfile, chamfers: Sequence[EndChamfer]) -> floa
     member = profile.member
     corners = [float(member.limit_angle(member.tip_limit, rho_u)) for rho_u in _ends(member)]
     corners += [float(np.arctan2(*point)) for chamfer in chamfers for point in (chamfer.face, chamfer.foot)]
-    total = 0.0
+    total = _added_by_relief(profile, corners, chamfers)
     for name in profile.segments:
         if name == "fillet" or name == "meridian":
             breaks = [0.0, *_breaks_below_flank(profile, name, corners), 1.0]
@@ -92,8 +92,32 @@ def _whole(profile: ToothProfile) -> float:
     return float(roll_arc(profile.member.tip_angle, profile.member.base_angle))
 
 
+def _added_by_relief(profile: ToothProfile, breaks: Sequence[float], chamfers: Sequence[EndChamfer]) -> float:
+    """What micro-geometry adds to a tooth: the integral of side shift rho^2 sin(delta) over polar angle and rho."""
+    member, total = profile.member, 0.0
+    if member.reliefs == (None, None):
+        return total
+    foot = profile.fillet.foot_angle
+    inner = {foot, max(foot, member.base_angle), *(b for b in breaks if b > member.root_angle)}
+    for span in pairwise([member.root_angle, *sorted(inner)]):
+        delta, weights = _nodes(*span)
+        low, high = _span(member, delta, chamfers)
+        x, w = _nodes(0.0, 1.0)
+        width = np.maximum(high - low, 0.0)[:, None]
+        rho = low[:, None] + x * width
+        turned = sum(side * profile.shift(side, rho, np.broadcast_to(delta[:, None], rho.shape)) for side in (1, -1))
+        total += float(np.sum(weights * np.sin(delta) * np.sum(w * width * rho**2 * turned, axis=1)))
+    return total
+
+
 def _shell(member: MemberGeometry, delta: Floats, chamfers: Sequence[EndChamfer]) -> Floats:
     """Integral of rho^2 over the metal at polar angles, between the tooth's ends and below its tip and chamfers."""
+    low, high = _span(member, delta, chamfers)
+    return np.asarray(np.maximum(high**3 - low**3, 0.0) / 3)
+
+
+def _span(member: MemberGeometry, delta: Floats, chamfers: Sequence[EndChamfer]) -> tuple[Floats, Floats]:
+    """Least and greatest distance of the metal from the apex at polar angles."""
     low, high = (member.cone_distance(rho_u, delta) for rho_u in _ends(member))
     tip = member.tip_limit
     if tip.offset != 0:
@@ -107,7 +131,7 @@ def _shell(member: MemberGeometry, delta: Floats, chamfers: Sequence[EndChamfer]
     for chamfer in chamfers:
         bound, is_upper = chamfer.bound(delta)
         low, high = (low, np.minimum(high, bound)) if is_upper else (np.maximum(low, bound), high)
-    return np.asarray(np.maximum(high**3 - low**3, 0.0) / 3)
+    return low, high
 
 
 def _body_volume(member: MemberGeometry, outline: Floats) -> float:

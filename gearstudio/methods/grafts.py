@@ -20,6 +20,8 @@ from gearstudio.theory.profile import Segment, ToothProfile
 Floats = NDArray[np.float64]
 Angles = Callable[[Floats, Floats], tuple[Floats, Floats]]
 """Polar angle and azimuth in the section of exact points at x (0 to 1) of a face and tip angles."""
+Shift = Callable[[Floats, Floats], Floats]
+"""Azimuth [rad] by which exact points at cone distances and polar angles are turned."""
 
 
 @dataclass(frozen=True)
@@ -58,18 +60,29 @@ def placed(member: MemberGeometry, rho_u: Floats, delta: Floats, phi: Floats) ->
 
 
 def blended(
-    member: MemberGeometry, exact: Angles, first: Callable[[Floats], Edge], last: Callable[[Floats], Edge]
+    member: MemberGeometry,
+    exact: Angles,
+    first: Callable[[Floats], Edge],
+    last: Callable[[Floats], Edge],
+    shift: Shift | None = None,
 ) -> Points:
-    """Points of an exact face, moved linearly across it so that it meets two edges at x = 0 and x = 1."""
+    """Points of an exact face, moved linearly across it so that it meets two edges at x = 0 and x = 1.
+
+    ``shift`` is by how much micro-geometry turns the exact face.
+    """
+
+    def at(x: Floats, rho_u: Floats) -> tuple[Floats, Floats]:
+        delta, phi = exact(x, _tip(member, rho_u))
+        return delta, phi if shift is None else phi + shift(member.cone_distance(rho_u, delta), delta)
 
     def points(x: Floats, y: Floats) -> Floats:
         edges = (first(y), last(y))
         weight = (1 - x[:, None], x[:, None])
         rho_u = weight[0] * edges[0].rho_u + weight[1] * edges[1].rho_u
-        delta, phi = exact(x[:, None], _tip(member, rho_u))
+        delta, phi = at(x[:, None], rho_u)
         for end, (edge, share) in enumerate(zip(edges, weight, strict=True)):
             if edge.delta is not None and edge.phi is not None:
-                there = exact(np.full((1, 1), float(end)), _tip(member, edge.rho_u[None, :]))
+                there = at(np.full((1, 1), float(end)), edge.rho_u[None, :])
                 delta = delta + share * (edge.delta - there[0])
                 phi = phi + share * _wrapped(edge.phi - there[1])
         return placed(member, rho_u, delta, phi)

@@ -7,7 +7,8 @@ faces holds the flanks' own, so that neighbours share their edge exactly, whatev
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -32,7 +33,7 @@ from gearstudio.nurbs import NurbsSurface
 from gearstudio.theory.chamfer import EndChamfer
 from gearstudio.theory.cones import ConeLimit, MemberGeometry
 from gearstudio.theory.flank import Flank
-from gearstudio.theory.modified import flank_on
+from gearstudio.theory.modified import flank_on, relief_on
 from gearstudio.theory.profile import Segment, ToothProfile, tooth_profile
 
 Floats = NDArray[np.float64]
@@ -40,6 +41,8 @@ Floats = NDArray[np.float64]
 _EDGE_SHARE = 0.1
 _FOOT_SAMPLES = 33
 _LEAST_FILLET = 0.3
+_TURNED_SHARE = 0.2
+"""Part of the goal for faces that micro-geometry turns, so that they stay tangent to the flank as well."""
 
 
 @dataclass(frozen=True)
@@ -60,6 +63,7 @@ class ToothFace:
 class Tooth:
     """The faces of one pitch in the order of azimuth, from the fillet at smaller azimuth to the root beyond.
 
+    ``member`` and ``profile`` are without the micro-geometry of the design where the method cannot follow it.
     ``chamfers`` end them at toe and heel; the faces go on beyond.
     """
 
@@ -87,6 +91,9 @@ def build_tooth(member: MemberGeometry, method_id: str, variant: Variant, target
     surfaces = {side: trimmed(flanks[side], built[side].surface, goal) for side in (-1, 1)}
     for side in (-1, 1):
         _check_foot(profile, surfaces[side])
+    if any(construction.instead is not None for construction in built.values()):
+        member = replace(member, reliefs=(None, None))
+        profile = tooth_profile(member)
     faces = graft(profile, surfaces, SAFETY * target.tolerance)
     return Tooth(member, profile, faces, {flanks[side].name: built[side] for side in (-1, 1)})
 
@@ -155,7 +162,8 @@ class _Grafting:
 
     def _fit(self, name: Segment, side: int, points: Points, space: Space) -> Space:
         what = f"{self.profile.member.name} {name}"
-        surface = fitted(what, profile_space(), space, points, self.goal)
+        turned = side != 0 and relief_on(self.profile.member, side) is not None
+        surface = fitted(what, profile_space(), space, points, _TURNED_SHARE * self.goal if turned else self.goal)
         self.made[name, side] = surface
         return space_v(surface)
 
@@ -163,11 +171,17 @@ class _Grafting:
         def top(y: Floats) -> Edge:
             return self._edge(self.flanks[side], 0.0, y) if name == highest else self._free(y)
 
-        return blended(self.profile.member, lower_angles(self.profile, name, side), self._free, top)
+        profile = self.profile
+        shift = None if relief_on(profile.member, side) is None else partial(profile.shift, side)
+        return blended(profile.member, lower_angles(profile, name, side), self._free, top, shift)
 
     def _tip(self) -> Points:
-        edges = [lambda y, side=side: self._edge(self.flanks[side], 1.0, y) for side in (-1, 1)]
-        return blended(self.profile.member, across_angles(self.profile, "tip"), *edges)
+        return blended(
+            self.profile.member,
+            across_angles(self.profile, "tip"),
+            lambda y: self._edge(self.flanks[-1], 1.0, y),
+            lambda y: self._edge(self.flanks[1], 1.0, y),
+        )
 
     def _root(self) -> Points:
         member = self.profile.member

@@ -166,6 +166,13 @@ def azimuth_shift(
     return np.asarray(-side * relief.value(rho, polar_angle) * _lever_inverse(member, rho)[0])
 
 
+def azimuth_shift_slope(
+    member: MemberGeometry, side: int, relief: FlankRelief, rho: ArrayLike, polar_angle: ArrayLike
+) -> Floats:
+    """Derivative of `azimuth_shift` by the polar angle."""
+    return np.asarray(-side * relief.derivatives(rho, polar_angle)[2] * _lever_inverse(member, rho)[0])
+
+
 def _lever_inverse(member: MemberGeometry, rho: ArrayLike) -> tuple[Floats, Floats, Floats]:
     """g = sqrt(1/(rho sin delta_b)^2 + theta'^2) [rad/mm], with two derivatives by rho."""
     rho = np.asarray(rho, dtype=np.float64)

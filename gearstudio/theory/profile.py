@@ -1,7 +1,8 @@
 """The profile of the whole tooth on the unit sphere: root, fillet, flank, tip (theory 6).
 
 Everything is given for the half of the tooth at larger azimuth; the other half is its mirror image.
-A profile is self-similar: at every cone distance it is the same, turned by theta(rho).
+A profile is self-similar: at every cone distance it is the same, turned by theta(rho). Micro-geometry turns it
+further, by `ToothProfile.shift`.
 """
 
 from __future__ import annotations
@@ -15,6 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 from gearstudio.errors import GeometryError
 from gearstudio.theory.cones import MemberGeometry
 from gearstudio.theory.involute import azimuth_from_arc, involute_azimuth, polar_angle, roll_arc
+from gearstudio.theory.modified import azimuth_shift, azimuth_shift_slope, relief_on
 
 Floats = NDArray[np.float64]
 Segment = Literal["root", "fillet", "meridian", "flank", "tip"]
@@ -120,6 +122,27 @@ class ToothProfile:
         tip_azimuth = start - involute_azimuth(top, m.base_angle)
         return np.broadcast_to(top, np.broadcast_shapes(top.shape, s.shape)), np.asarray((1 - s) * tip_azimuth)
 
+    def shift(self, side: int, rho: ArrayLike, delta: ArrayLike) -> Floats:
+        """By how much micro-geometry turns the profile of one side [rad], at cone distances and polar angles.
+
+        Above the foot of the flank it is the flank's own; below, in fillet and meridian, it goes on with the same
+        value and slope and fades out, slope included, at the root. Turning about the axis by a smooth function of the
+        place leaves faces tangent that were tangent.
+        """
+        rho, delta = np.broadcast_arrays(np.asarray(rho, dtype=np.float64), np.asarray(delta, dtype=np.float64))
+        m, relief = self.member, relief_on(self.member, side)
+        if relief is None:
+            return np.zeros(rho.shape)
+        top = m.base_angle if self.fillet.on_meridian else self.fillet.foot_angle
+        value = azimuth_shift(m, side, relief, rho, np.maximum(delta, top))
+        below = delta < top
+        if not np.any(below):
+            return value
+        depth = top - m.root_angle
+        t = np.clip((delta - m.root_angle) / depth, 0.0, 1.0)
+        slope = azimuth_shift_slope(m, side, relief, rho, np.full_like(delta, top)) * depth
+        return np.where(below, t**2 * (value * (3 - 2 * t) + slope * (t - 1)), value)
+
     def outline(self, v: float, samples: int = 16) -> Floats:
         """Points of the whole profile at a place along the face, from space to space, shape (n, 3) [mm].
 
@@ -137,7 +160,11 @@ class ToothProfile:
         half = [self.angles(name, s, tip) for name in self.segments]
         delta = np.concatenate([half[0][0][:1], *(part[0][1:] for part in half)])
         phi = np.concatenate([half[0][1][:1], *(part[1][1:] for part in half)])
-        delta, phi = np.concatenate([delta, delta[-2::-1]]), np.concatenate([phi, -phi[-2::-1]])
+        rho = m.cone_distance(rho_u, delta)
+        # the tip's two halves meet in the tooth's middle, which stays
+        share = np.concatenate([np.ones(len(phi) - samples + 1), (1 - s)[1:]])
+        sides = [side * phi + share * self.shift(side, rho, delta) for side in (1, -1)]
+        delta, phi = np.concatenate([delta, delta[-2::-1]]), np.concatenate([sides[0], sides[1][-2::-1]])
         rho = m.cone_distance(rho_u, delta)
         azimuth = phi + m.lengthwise.azimuth(rho)
         radius = rho * np.sin(delta)
