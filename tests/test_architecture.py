@@ -227,3 +227,15 @@ def test_architecture_page_names_every_package() -> None:
     packages = [path.parent for path in ROOT.glob("gearstudio/**/__init__.py")]
     missing = [relative(p) for p in packages if p.name not in page]
     assert not missing
+
+
+def test_painters_end_whatever_happens() -> None:
+    """An error in a paint event must not leave the painter active: the next repaint would bring the program down."""
+    for path in ROOT.glob("ui/**/*.py"):
+        tree = ast.parse(path.read_text(encoding="utf-8"))
+        for event in (node for node in ast.walk(tree) if isinstance(node, ast.FunctionDef)):
+            managed = {id(item.context_expr) for w in ast.walk(event) if isinstance(w, ast.With) for item in w.items}
+            for call in (node for node in ast.walk(event) if isinstance(node, ast.Call)):
+                on_itself = [ast.unparse(argument) for argument in call.args] == ["self"]
+                if ast.unparse(call.func) == "QPainter" and on_itself:
+                    assert id(call) in managed, f"{path.relative_to(ROOT)}:{call.lineno}: with QPainter(self) as …"

@@ -73,21 +73,21 @@ class BlankDrawing(QWidget):
 
     def paintEvent(self, event: QPaintEvent) -> None:
         colors = tokens()
-        painter = QPainter(self)
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        frame = QRectF(self.rect()).adjusted(0.5, 0.5, -0.5, -0.5)
-        painter.setPen(QPen(QColor(colors.border), 1))
-        painter.setBrush(QColor(colors.sunken))
-        painter.drawRoundedRect(frame, 6, 6)
-        if self._shape is not None:
-            if self._note:
-                painter.setOpacity(0.35)
-            _Sheet(painter, self._shape, frame.adjusted(8, 8, -8, -8), self.font()).draw()
-            painter.setOpacity(1.0)
-        if self._note or self._shape is None:
-            painter.setPen(QColor(colors.error if self._note else colors.muted))
-            words = self._note or f"{MEMBER_TITLES[self.member]}: no blank yet"
-            painter.drawText(frame.adjusted(14, 10, -14, -10), _CENTRED, words)
+        with QPainter(self) as painter:
+            painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+            frame = QRectF(self.rect()).adjusted(0.5, 0.5, -0.5, -0.5)
+            painter.setPen(QPen(QColor(colors.border), 1))
+            painter.setBrush(QColor(colors.sunken))
+            painter.drawRoundedRect(frame, 6, 6)
+            if self._shape is not None:
+                if self._note:
+                    painter.setOpacity(0.35)
+                _Sheet(painter, self._shape, frame.adjusted(8, 8, -8, -8), self.font()).draw()
+                painter.setOpacity(1.0)
+            if self._note or self._shape is None:
+                painter.setPen(QColor(colors.error if self._note else colors.muted))
+                words = self._note or f"{MEMBER_TITLES[self.member]}: no blank yet"
+                painter.drawText(frame.adjusted(14, 10, -14, -10), _CENTRED, words)
 
 
 _CENTRED = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap

@@ -192,25 +192,25 @@ class ColorBar(QWidget):
         return QRectF(_PAD, top, BAR_WIDTH, max(bottom - top, 20.0))
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        painter = QPainter(self)
-        painter.setRenderHints(QPainter.RenderHint.Antialiasing | QPainter.RenderHint.SmoothPixmapTransform)
-        bar = self._bar()
-        text, line = self.palette().windowText().color(), QColor(self.palette().windowText().color())
-        line.setAlphaF(0.35)
-        painter.drawImage(bar, self._image, QRectF(0, 0.5, 1, self._image.height() - 1))
-        painter.setPen(QPen(line, 1))
-        painter.drawRect(bar.adjusted(-0.5, -0.5, 0.5, 0.5))
-        self._paint_ends(painter, bar)
-        painter.setFont(self._small_font())
-        painter.setPen(text)
-        painter.drawText(
-            QRectF(0, 4, self.width(), 1.4 * QFontMetricsF(self.font()).height()),
-            Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignTop,
-            self._shown_unit()[0],
-        )
-        self._paint_ticks(painter, bar, text, line)
-        if self._marker is not None:
-            self._paint_marker(painter, bar, text)
+        with QPainter(self) as painter:
+            painter.setRenderHints(QPainter.RenderHint.Antialiasing | QPainter.RenderHint.SmoothPixmapTransform)
+            bar = self._bar()
+            text, line = self.palette().windowText().color(), QColor(self.palette().windowText().color())
+            line.setAlphaF(0.35)
+            painter.drawImage(bar, self._image, QRectF(0, 0.5, 1, self._image.height() - 1))
+            painter.setPen(QPen(line, 1))
+            painter.drawRect(bar.adjusted(-0.5, -0.5, 0.5, 0.5))
+            self._paint_ends(painter, bar)
+            painter.setFont(self._small_font())
+            painter.setPen(text)
+            painter.drawText(
+                QRectF(0, 4, self.width(), 1.4 * QFontMetricsF(self.font()).height()),
+                Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignTop,
+                self._shown_unit()[0],
+            )
+            self._paint_ticks(painter, bar, text, line)
+            if self._marker is not None:
+                self._paint_marker(painter, bar, text)
 
     def _y(self, bar: QRectF, value: float) -> float:
         low, high = self._range

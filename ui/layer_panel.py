@@ -120,27 +120,28 @@ class EyeBox(QCheckBox):
     """A check box whose mark is an eye, open or closed."""
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        painter, colors = QPainter(self), tokens()
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        middle, on = self.height() / 2, self.isChecked()
-        ink = QColor(colors.text if on else colors.faint)
-        if self.hasFocus() or self.underMouse():
-            painter.setPen(Qt.PenStyle.NoPen)
-            painter.setBrush(QColor(colors.hover))
-            painter.drawRoundedRect(QRectF(0, 0, self.width(), self.height()), 4, 4)
-        painter.setBrush(Qt.BrushStyle.NoBrush)
-        painter.setPen(QPen(ink, 1.5, Qt.PenStyle.SolidLine, Qt.PenCapStyle.RoundCap))
-        lids = QPainterPath(QPointF(2, middle))
-        lids.quadTo(QPointF(9.5, middle + 8), QPointF(17, middle))
-        if on:
-            lids.quadTo(QPointF(9.5, middle - 8), QPointF(2, middle))
-        painter.drawPath(lids)
-        if on:
-            painter.setBrush(ink)
-            painter.drawEllipse(QPointF(9.5, middle), 2.0, 2.0)
-        painter.setPen(QColor(colors.text))
-        text = QRectF(24, 0, self.width() - 24, self.height())
-        painter.drawText(text, Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft, self.text())
+        colors = tokens()
+        with QPainter(self) as painter:
+            painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+            middle, on = self.height() / 2, self.isChecked()
+            ink = QColor(colors.text if on else colors.faint)
+            if self.hasFocus() or self.underMouse():
+                painter.setPen(Qt.PenStyle.NoPen)
+                painter.setBrush(QColor(colors.hover))
+                painter.drawRoundedRect(QRectF(0, 0, self.width(), self.height()), 4, 4)
+            painter.setBrush(Qt.BrushStyle.NoBrush)
+            painter.setPen(QPen(ink, 1.5, Qt.PenStyle.SolidLine, Qt.PenCapStyle.RoundCap))
+            lids = QPainterPath(QPointF(2, middle))
+            lids.quadTo(QPointF(9.5, middle + 8), QPointF(17, middle))
+            if on:
+                lids.quadTo(QPointF(9.5, middle - 8), QPointF(2, middle))
+            painter.drawPath(lids)
+            if on:
+                painter.setBrush(ink)
+                painter.drawEllipse(QPointF(9.5, middle), 2.0, 2.0)
+            painter.setPen(QColor(colors.text))
+            text = QRectF(24, 0, self.width() - 24, self.height())
+            painter.drawText(text, Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft, self.text())
 
     def sizeHint(self) -> QSize:
         return QSize(26 + self.fontMetrics().horizontalAdvance(self.text()), self.fontMetrics().height() + 4)

@@ -31,20 +31,20 @@ class MeasureOverlay(QWidget):
 
     def paintEvent(self, event: QPaintEvent) -> None:
         colors = tokens()
-        painter = QPainter(self)
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        halo, line = QColor(colors.surface), QColor(colors.accent)
-        halo.setAlphaF(0.85)
-        for color, width in ((halo, 4.5), (line, 2.0)):
-            painter.setPen(QPen(color, width, Qt.PenStyle.SolidLine, Qt.PenCapStyle.RoundCap))
+        with QPainter(self) as painter:
+            painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+            halo, line = QColor(colors.surface), QColor(colors.accent)
+            halo.setAlphaF(0.85)
+            for color, width in ((halo, 4.5), (line, 2.0)):
+                painter.setPen(QPen(color, width, Qt.PenStyle.SolidLine, Qt.PenCapStyle.RoundCap))
+                if len(self._places) == 2:
+                    painter.drawLine(*self._places)
+            for place in self._places:
+                painter.setPen(QPen(halo, 2.0))
+                painter.setBrush(line)
+                painter.drawEllipse(place, 4.5, 4.5)
             if len(self._places) == 2:
-                painter.drawLine(*self._places)
-        for place in self._places:
-            painter.setPen(QPen(halo, 2.0))
-            painter.setBrush(line)
-            painter.drawEllipse(place, 4.5, 4.5)
-        if len(self._places) == 2:
-            self._paint_text(painter)
+                self._paint_text(painter)
 
     def _paint_text(self, painter: QPainter) -> None:
         colors = tokens()

@@ -92,11 +92,11 @@ class Dot(QWidget):
         self.update()
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        painter = QPainter(self)
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        painter.setPen(QColor(0, 0, 0, 0))
-        painter.setBrush(QColor(getattr(tokens(), self._color)))
-        painter.drawEllipse(1, 1, 8, 8)
+        with QPainter(self) as painter:
+            painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+            painter.setPen(QColor(0, 0, 0, 0))
+            painter.setBrush(QColor(getattr(tokens(), self._color)))
+            painter.drawEllipse(1, 1, 8, 8)
 
 
 def hover_text(hover: Hover) -> str:

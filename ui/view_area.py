@@ -40,22 +40,22 @@ class Placeholder(QWidget):
 
     def paintEvent(self, event: QPaintEvent) -> None:
         colors = tokens()
-        painter = QPainter(self)
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        ground = QLinearGradient(0, 0, 0, self.height())
-        ground.setColorAt(0, QColor(colors.view_top))
-        ground.setColorAt(1, QColor(colors.view_bottom))
-        painter.fillRect(self.rect(), ground)
-        centre = self.rect().center()
-        ring = QRectF(centre.x() - 15, centre.y() - 34, 30, 30)
-        painter.setPen(QPen(QColor(colors.border_strong), 3))
-        painter.drawEllipse(ring)
-        if self._timer.isActive():
-            painter.setPen(QPen(QColor(colors.accent), 3, Qt.PenStyle.SolidLine, Qt.PenCapStyle.RoundCap))
-            painter.drawArc(ring, -self._angle * 16, 90 * 16)
-        painter.setPen(QColor(colors.muted))
-        below = QRectF(0, centre.y() + 14, self.width(), 60)
-        painter.drawText(below, Qt.AlignmentFlag.AlignHCenter | Qt.TextFlag.TextWordWrap, self._text)
+        with QPainter(self) as painter:
+            painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+            ground = QLinearGradient(0, 0, 0, self.height())
+            ground.setColorAt(0, QColor(colors.view_top))
+            ground.setColorAt(1, QColor(colors.view_bottom))
+            painter.fillRect(self.rect(), ground)
+            centre = self.rect().center()
+            ring = QRectF(centre.x() - 15, centre.y() - 34, 30, 30)
+            painter.setPen(QPen(QColor(colors.border_strong), 3))
+            painter.drawEllipse(ring)
+            if self._timer.isActive():
+                painter.setPen(QPen(QColor(colors.accent), 3, Qt.PenStyle.SolidLine, Qt.PenCapStyle.RoundCap))
+                painter.drawArc(ring, -self._angle * 16, 90 * 16)
+            painter.setPen(QColor(colors.muted))
+            below = QRectF(0, centre.y() + 14, self.width(), 60)
+            painter.drawText(below, Qt.AlignmentFlag.AlignHCenter | Qt.TextFlag.TextWordWrap, self._text)
 
     def _turn(self) -> None:
         self._angle = (self._angle + 14) % 360

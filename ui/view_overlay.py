@@ -96,15 +96,15 @@ class Marker(_Overlay):
         self.show()
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        painter = QPainter(self)
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        centre = QPointF(self.SIZE / 2, self.SIZE / 2)
-        for color, width in ((QColor(255, 255, 255, 230), 3.4), (QColor("#14181e"), 1.6)):
-            painter.setPen(QPen(color, width))
-            painter.drawEllipse(centre, 4.6, 4.6)
-        painter.setPen(Qt.PenStyle.NoPen)
-        painter.setBrush(QColor("#14181e"))
-        painter.drawEllipse(centre, 1.3, 1.3)
+        with QPainter(self) as painter:
+            painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+            centre = QPointF(self.SIZE / 2, self.SIZE / 2)
+            for color, width in ((QColor(255, 255, 255, 230), 3.4), (QColor("#14181e"), 1.6)):
+                painter.setPen(QPen(color, width))
+                painter.drawEllipse(centre, 4.6, 4.6)
+            painter.setPen(Qt.PenStyle.NoPen)
+            painter.setBrush(QColor("#14181e"))
+            painter.drawEllipse(centre, 1.3, 1.3)
 
 
 class Pin(Marker):
@@ -113,15 +113,15 @@ class Pin(Marker):
     SIZE = 23
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        painter = QPainter(self)
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        centre, reach = QPointF(self.SIZE / 2, self.SIZE / 2), self.SIZE / 2 - 1
-        for color, width in ((QColor(255, 255, 255, 230), 4.0), (QColor("#14181e"), 1.8)):
-            painter.setPen(QPen(color, width))
-            painter.drawEllipse(centre, 6.0, 6.0)
-            for right, down in ((1, 0), (-1, 0), (0, 1), (0, -1)):
-                aside = QPointF(right, down)
-                painter.drawLine(centre + aside * 6.0, centre + aside * reach)
+        with QPainter(self) as painter:
+            painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+            centre, reach = QPointF(self.SIZE / 2, self.SIZE / 2), self.SIZE / 2 - 1
+            for color, width in ((QColor(255, 255, 255, 230), 4.0), (QColor("#14181e"), 1.8)):
+                painter.setPen(QPen(color, width))
+                painter.drawEllipse(centre, 6.0, 6.0)
+                for right, down in ((1, 0), (-1, 0), (0, 1), (0, -1)):
+                    aside = QPointF(right, down)
+                    painter.drawLine(centre + aside * 6.0, centre + aside * reach)
 
 
 class ScaleBar(_Overlay):
@@ -158,17 +158,17 @@ class ScaleBar(_Overlay):
         return f"{'≈ ' if self._about else ''}{self.length:g} {units.unit_shown('mm')}"
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        painter = QPainter(self)
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        font = QFont(self.font())
-        font.setPointSizeF(max(font.pointSizeF() * 0.92, 7.0))
-        painter.setFont(font)
-        width, ground = self.length * units.factor("mm") * self._per_mm, self.height() - 5.0
-        painter.setPen(QPen(QColor(self.colors.text), 1.6))
-        painter.drawLine(QPointF(4, ground), QPointF(4 + width, ground))
-        for x in (4.0, 4.0 + width):
-            painter.drawLine(QPointF(x, ground - 4), QPointF(x, ground + 3))
-        painter.drawText(QRectF(4, 0, max(width, 90.0), ground - 4), Qt.AlignmentFlag.AlignBottom, self.label)
+        with QPainter(self) as painter:
+            painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+            font = QFont(self.font())
+            font.setPointSizeF(max(font.pointSizeF() * 0.92, 7.0))
+            painter.setFont(font)
+            width, ground = self.length * units.factor("mm") * self._per_mm, self.height() - 5.0
+            painter.setPen(QPen(QColor(self.colors.text), 1.6))
+            painter.drawLine(QPointF(4, ground), QPointF(4 + width, ground))
+            for x in (4.0, 4.0 + width):
+                painter.drawLine(QPointF(x, ground - 4), QPointF(x, ground + 3))
+            painter.drawText(QRectF(4, 0, max(width, 90.0), ground - 4), Qt.AlignmentFlag.AlignBottom, self.label)
 
 
 def round_length(longest: float) -> float:
@@ -195,29 +195,32 @@ class Axes(_Overlay):
             self.update()
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        painter = QPainter(self)
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        font = QFont(self.font())
-        font.setPointSizeF(max(font.pointSizeF() * 0.9, 7.0))
-        font.setBold(True)
-        painter.setFont(font)
-        centre, length = QPointF(36, 36), 23.0
-        for axis in np.argsort(self._tips[:, 2]):
-            right, up, depth = self._tips[axis]
-            color = QColor(self._COLORS[axis])
-            color.setAlphaF(1.0 if depth > -0.2 else 0.55)
-            tip = centre + QPointF(right, -up) * length
-            painter.setPen(QPen(color, 2.0, Qt.PenStyle.SolidLine, Qt.PenCapStyle.RoundCap))
-            painter.drawLine(centre, tip)
-            label = centre + QPointF(right, -up) * (length + 8.0)
-            painter.drawText(QRectF(label.x() - 8, label.y() - 8, 16, 16), Qt.AlignmentFlag.AlignCenter, "xyz"[axis])
+        with QPainter(self) as painter:
+            painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+            font = QFont(self.font())
+            font.setPointSizeF(max(font.pointSizeF() * 0.9, 7.0))
+            font.setBold(True)
+            painter.setFont(font)
+            centre, length = QPointF(36, 36), 23.0
+            for axis in np.argsort(self._tips[:, 2]):
+                right, up, depth = self._tips[axis]
+                color = QColor(self._COLORS[axis])
+                color.setAlphaF(1.0 if depth > -0.2 else 0.55)
+                tip = centre + QPointF(right, -up) * length
+                painter.setPen(QPen(color, 2.0, Qt.PenStyle.SolidLine, Qt.PenCapStyle.RoundCap))
+                painter.drawLine(centre, tip)
+                label = centre + QPointF(right, -up) * (length + 8.0)
+                painter.drawText(
+                    QRectF(label.x() - 8, label.y() - 8, 16, 16), Qt.AlignmentFlag.AlignCenter, "xyz"[axis]
+                )
 
 
 class Divider(_Overlay):
     """A hairline between two panes."""
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        QPainter(self).fillRect(self.rect(), QColor(self.colors.border_strong))
+        with QPainter(self) as painter:
+            painter.fillRect(self.rect(), QColor(self.colors.border_strong))
 
     def sizeHint(self) -> QSize:
         return QSize(1, 1)

@@ -53,9 +53,9 @@ class Sheet(QWidget):
     def paintEvent(self, event: QPaintEvent) -> None:
         """Paint the drawing."""
         super().paintEvent(event)
-        painter = QPainter(self)
-        self._renderer.render(painter)
-        painter.end()
+        with QPainter(self) as painter:
+            self._renderer.render(painter)
+            painter.end()
 
 
 class EquationBrowser(QDialog):

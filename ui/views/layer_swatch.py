@@ -62,13 +62,16 @@ class LayerSwatch(QToolButton):
         editor.show()
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        painter, color = QPainter(self), self.color
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        frame = QRectF(4, 3, 16, 12)
-        painter.setPen(QPen(QColor(tokens().accent if self.hasFocus() or self.underMouse() else tokens().border), 1))
-        color.setAlphaF(1.0 if self._look.opacity is None else max(self._look.opacity, 0.08))
-        painter.setBrush(color)
-        painter.drawRoundedRect(frame, 3, 3)
+        color = self.color
+        with QPainter(self) as painter:
+            painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+            frame = QRectF(4, 3, 16, 12)
+            painter.setPen(
+                QPen(QColor(tokens().accent if self.hasFocus() or self.underMouse() else tokens().border), 1)
+            )
+            color.setAlphaF(1.0 if self._look.opacity is None else max(self._look.opacity, 0.08))
+            painter.setBrush(color)
+            painter.drawRoundedRect(frame, 3, 3)
 
 
 class LookEditor(QFrame):
