@@ -12,7 +12,10 @@ from gearstudio.design import Design
 from gearstudio.errors import GeometryError
 from gearstudio.theory.cones import pair_geometry
 from ui.analysis.background import Newest
-from ui.analysis.contact_view import NO_MATE, analyse, error_chart, facts, pattern_table
+from ui.analysis.contact_view import NO_MATE, error_chart, facts, pattern_table
+from ui.analysis.contact_work import Case, analyse
+from ui.analysis.ease_off_view import ease_off_heights
+from ui.charts.contours import contour_pairs, round_step
 from ui.charts.raster import frame, inside, outline, raster
 from ui.session import Session
 
@@ -36,16 +39,50 @@ def test_a_raster_brings_values_on_a_curved_grid_to_an_even_one() -> None:
 
 
 def test_the_perfect_pair_marks_the_whole_flank_and_has_a_flat_curve() -> None:
-    view = analyse(pair_geometry(Design()), Misalignment(), 6.35)
-    pinion, wheel = view.patterns["drive"]
+    view = analyse(Case(pair_geometry(Design()), Misalignment(), 6.35))
+    pinion, wheel = view.patterns
     assert pinion.title == "Pinion, concave flank" and wheel.title == "Wheel, convex flank"
     assert np.mean(pinion.image[np.isfinite(pinion.image)] < 6.35) > 0.85
     assert np.any(wheel.image == NO_MATE)
     chart = error_chart(view.result.drive)
     assert np.ptp(chart.series[0].y) < 1e-6 and np.ptp(chart.span_y) == pytest.approx(0.01)
     assert np.ptp(chart.series[0].x) == pytest.approx(3 * 360 / 17, rel=0.02)
-    assert dict(facts(view, "drive"))["Peak to peak"] == "< 0.0001″"
-    assert len(pattern_table(view, "coast").rows) == view.result.coast.pinion.rho.size * 2
+    assert dict(facts(view.result, "drive"))["Peak to peak"] == "< 0.0001″"
+    assert len(pattern_table(view.result.coast).rows) == view.result.coast.pinion.rho.size * 2
+
+
+def test_contours_lie_on_their_level() -> None:
+    x, y = np.meshgrid(np.linspace(0, 3, 31), np.linspace(-1, 1, 21))
+    pairs = contour_pairs(x, y, 2 * x - y, np.array([1.0, 2.5]))
+    levels = 2 * pairs[:, 0] - pairs[:, 1]
+    assert np.allclose(np.minimum(np.abs(levels - 1), np.abs(levels - 2.5)), 0, atol=1e-12)
+    for level in (1.0, 2.5):
+        strokes = pairs[np.abs(levels - level) < 1e-9].reshape(-1, 2, 2)
+        assert np.linalg.norm(np.diff(strokes, axis=1), axis=-1).sum() == pytest.approx(np.hypot(1, 2))
+    holed = np.where(x < 1.5, np.nan, 2 * x - y)
+    assert contour_pairs(x, y, holed, np.array([4.0]))[:, 0].min() >= 1.5
+    assert len(contour_pairs(x, y, 0 * x, np.array([0.0]))) == 0
+    assert [round_step(span) for span in (8, 7.9, 0.3, 100, 0)] == [1, 1, 0.05, 20, 0]
+
+
+def test_the_ease_off_is_what_was_taken_off() -> None:
+    from tests.analysis.test_contact import crowned
+
+    pair, crown = pair_geometry(Design()), 20.0
+    taken = analyse(Case(crowned(crown), Misalignment(), 6.35)).result.drive
+    heights = ease_off_heights(taken)
+    facing = np.isfinite(heights)
+    v = np.broadcast_to(np.linspace(0, 1, heights.shape[1]), heights.shape)
+    middle = heights[:, heights.shape[1] // 2]
+    assert np.abs(middle[np.isfinite(middle)]).max() < 0.2
+    assert np.abs(heights - crown * (2 * v - 1) ** 2)[facing].max() < 0.05 * crown
+    assert np.nanmax(heights) == pytest.approx(crown, rel=0.05)
+    flat = analyse(Case(pair, Misalignment(), 6.35), "coast", "ease_off")
+    assert flat.ease_off.step_um == 0 and flat.patterns is None
+    tilted = analyse(Case(pair, Misalignment(offset=0.05), 6.35), "drive", "ease_off", flat).ease_off
+    assert tilted.step_um > 0 and len(tilted.maps[0].lines[0].points) > 50 < len(tilted.maps[1].lines[0].points)
+    image = tilted.maps[0].image
+    assert np.nanmax(np.abs(image)) <= tilted.limit_um * 1.001 and np.nanmax(np.abs(image)) > 0.8 * tilted.limit_um
 
 
 def test_the_newest_request_wins_and_failures_are_told(qtbot) -> None:
@@ -109,6 +146,7 @@ def test_a_slider_recomputes_and_warns_of_edge_contact(page, qtbot) -> None:
     assert page.view.result.misalignment == page.controls.misalignment
     assert "edge contact" in page.warning.text() and page.warning.text().startswith("drive")
     page.controls.sides.button("coast").click()
+    settle(page, qtbot)
     assert page.maps.name == "contact-pattern-coast" and "Pinion, convex" in page.maps.data.maps[0].title
     page.controls.reset()
     settle(page, qtbot)
@@ -141,3 +179,18 @@ def test_another_design_is_analysed_anew(page, qtbot) -> None:
     qtbot.waitUntil(lambda: page.view is not before, timeout=20_000)
     page.refresh_theme()
     assert page.maps.data.maps
+
+
+def test_the_ease_off_follows_the_sliders(page, qtbot) -> None:
+    page.shown.button("ease_off").click()
+    settle(page, qtbot)
+    assert page.maps.name == "ease-off-drive" and "conjugate" in page.pattern_frame.hint.text()
+    page.controls.rows["wheel_axial"].set_value(0.08)
+    settle(page, qtbot)
+    assert "Contours every" in page.pattern_frame.hint.text() and "edge contact" in page.warning.text()
+    assert len(page.maps.data.maps) == 2 and page.maps.table.head[-1] == "ease-off [µm]"
+    assert np.isfinite(np.array([row[-1] for row in page.maps.table.rows], dtype=float)).mean() > 0.5
+    page.refresh_theme()
+    page.show_map("pattern")
+    settle(page, qtbot)
+    assert page.maps.name == "contact-pattern-drive"

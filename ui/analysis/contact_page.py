@@ -16,15 +16,19 @@ from gearstudio.errors import Issue
 from gearstudio.theory.cones import PairGeometry
 from ui.analysis.background import Newest
 from ui.analysis.contact_controls import WIDTH, ContactControls
-from ui.analysis.contact_view import NO_MATE, ContactView, analyse, error_chart, facts, pattern_table
+from ui.analysis.contact_view import NO_MATE, error_chart, facts, pattern_table
+from ui.analysis.contact_work import Case, ContactView, Shown, analyse
+from ui.analysis.ease_off_view import ease_off_data, ease_off_words
 from ui.charts.chart import Chart
 from ui.charts.colors import chart_color
 from ui.charts.frame import ChartFrame
 from ui.charts.map_chart import MapChart
 from ui.charts.maps import FlankMap, Line, MapData
 from ui.formatting import significant
+from ui.method_bar import Segments
 from ui.session import Session
 from ui.theme import tokens
+from ui.words import tr
 
 BANDS = 6
 
@@ -43,7 +47,15 @@ class ContactPage(QWidget):
         super().__init__(parent)
         self.controls = ContactControls()
         self.maps, self.error = MapChart(), Chart()
-        self.pattern_frame = ChartFrame(self.maps, "Contact pattern")
+        self.pattern_frame = ChartFrame(self.maps)
+        self.shown = Segments(
+            (
+                ("pattern", tr("Contact pattern"), tr("Where the marking compound is wiped off")),
+                ("ease_off", tr("Ease-off"), tr("Gap between the flanks beyond that at the mean point, with contours")),
+            ),
+            tr("Map"),
+        )
+        self.pattern_frame.add_control(self.shown)
         self.error_frame = ChartFrame(self.error, "Transmission error")
         self.facts, self.warning = QLabel(), QLabel()
         self.facts.setTextFormat(Qt.TextFormat.RichText)
@@ -55,12 +67,16 @@ class ContactPage(QWidget):
         self._pair: PairGeometry | None = None
         self._view: ContactView | None = None
         self._side: Direction = "drive"
+        self._shown: Shown = "pattern"
+        self._hint = ""
+        self.shown.set_choice(self._shown)
         self._arrange()
         self.controls.changed.connect(self._request)
         self.controls.side_chosen.connect(self._choose_side)
+        self.shown.chosen.connect(self.show_map)
         self.work.done.connect(self._on_done)
         self.work.failed.connect(self._on_failed)
-        self.maps.pointed.connect(self.pattern_frame.set_hint)
+        self.maps.pointed.connect(lambda text: self.pattern_frame.set_hint(text or self._hint))
         for frame in (self.pattern_frame, self.error_frame):
             frame.said.connect(self.said)
 
@@ -114,56 +130,70 @@ class ContactPage(QWidget):
         layout.addWidget(scroll)
         layout.addWidget(charts, 1)
 
+    def show_map(self, shown: Shown) -> None:
+        """The contact pattern, or the ease-off."""
+        self._shown = shown
+        self.shown.set_choice(shown)
+        self._request()
+
     def _request(self) -> None:
-        pair, misalignment, thickness = self._pair, self.controls.misalignment, self.controls.thickness_um
-        if pair is not None:
-            self.work.request(pair, lambda: analyse(pair, misalignment, thickness))
+        if self._pair is None:
+            return
+        case = Case(self._pair, self.controls.misalignment, self.controls.thickness_um)
+        side, shown, known = self._side, self._shown, self._view
+        self.work.request(self._pair, lambda: analyse(case, side, shown, known))
 
     def _choose_side(self, side: Direction) -> None:
         self._side = side
-        self._fill()
+        self._request()
 
     def _on_done(self, pair: object, view: ContactView) -> None:
         if pair is self._pair:
             self._view = view
             self._fill()
 
-    def _on_failed(self, pair: object, text: str, details: str) -> None:
+    def _on_failed(self, pair: object, text: str, _details: str) -> None:
         if pair is self._pair:
             self._view = None
+            self._hint = ""
             self.facts.setText("")
             self._warn(text, "error")
             self.maps.show_data(MapData("contact-pattern"))
-            self.error.show_data(replace(self.error.data, series=(), references=(), note="No contact"))
+            self.pattern_frame.set_hint("")
+            self.error.show_data(replace(self.error.data, series=(), references=(), note=tr("No contact")))
 
     def _fill(self) -> None:
-        view, side = self._view, self._side
+        view = self._view
         if view is None:
             return
-        thickness = view.result.thickness_um
-        self.maps.show_data(
-            MapData(
-                f"contact-pattern-{side}",
-                tuple(
-                    FlankMap(one.title, one.image, one.extent, one.outline, _path(one.path), _gap)
-                    for one in view.patterns[side]
-                ),
-                lambda gap: pattern_colors(gap, thickness),
-                across=False,
-                table=lambda: pattern_table(view, side),
-            )
-        )
-        self.error.show_data(error_chart(view.result.direction(side)))
-        cells = [_fact(name, value) for name, value in facts(view, side)]
+        side = view.result.direction(view.side)
+        self._hint = ease_off_words(view.ease_off) if view.ease_off is not None else ""
+        self.maps.show_data(_pattern_data(view) if view.ease_off is None else ease_off_data(view.ease_off, side))
+        self.pattern_frame.set_hint(self._hint)
+        self.error.show_data(error_chart(side))
+        cells = [_fact(name, value) for name, value in facts(view.result, view.side)]
         rows = (f"<tr>{''.join(cells[start : start + 2])}</tr>" for start in range(0, len(cells), 2))
         self.facts.setText(f'<table cellspacing="0" cellpadding="1">{"".join(rows)}</table>')
-        self._warn("\n".join(issue.message for issue in _of_side(view, side)), "warning")
+        self._warn("\n".join(issue.message for issue in _of_side(view)), "warning")
 
     def _warn(self, text: str, severity: str) -> None:
         self.warning.setText(text)
         if self.warning.property("severity") != severity:
             self.warning.setProperty("severity", severity)
             self.warning.style().polish(self.warning)
+
+
+def _pattern_data(view: ContactView) -> MapData:
+    side, thickness = view.result.direction(view.side), view.case.thickness_um
+    return MapData(
+        f"contact-pattern-{view.side}",
+        tuple(
+            FlankMap(one.title, one.image, one.extent, one.outline, _path(one.path), _gap)
+            for one in view.patterns or ()
+        ),
+        lambda gap: pattern_colors(gap, thickness),
+        table=lambda: pattern_table(side),
+    )
 
 
 def _fact(name: str, value: str) -> str:
@@ -195,5 +225,5 @@ def _gap(value: float) -> str:
     return f"gap {significant(value)} µm" if value < 0.5 * NO_MATE else "the mate has no flank here"
 
 
-def _of_side(view: ContactView, side: Direction) -> list[Issue]:
-    return [issue for issue in view.result.warnings if issue.message.startswith(side) or issue.code == "jammed"]
+def _of_side(view: ContactView) -> list[Issue]:
+    return [one for one in view.result.warnings if one.message.startswith(view.side) or one.code == "jammed"]

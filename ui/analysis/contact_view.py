@@ -7,10 +7,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from gearstudio.analysis.contact import contact_analysis
-from gearstudio.analysis.contact_placing import Misalignment
 from gearstudio.analysis.contact_result import ContactResult, Direction, FlankContact, FlankPattern
-from gearstudio.theory.cones import PairGeometry
+from gearstudio.theory.cones import MemberGeometry, PairGeometry
+from gearstudio.theory.flank import FlankName
 from gearstudio.theory.modified import flank_of
 from ui.charts.raster import drawn_flat, frame, inside, outline, raster
 from ui.charts.records import Axis, ChartData, Reference, Series, Table
@@ -35,37 +34,34 @@ class PatternMap:
     path: Floats
 
 
-@dataclass(frozen=True)
-class ContactView:
-    """What the page shows of one analysis."""
+def patterns(pair: PairGeometry, side: FlankContact) -> tuple[PatternMap, PatternMap]:
+    """The pattern of one direction on the pinion's and on the wheel's flank."""
+    return (
+        _pattern(pair, side.pinion, side.path.pinion_points),
+        _pattern(pair, side.wheel, side.path.wheel_points),
+    )
 
-    result: ContactResult
-    patterns: dict[Direction, tuple[PatternMap, PatternMap]]
+
+def flank_edge(member: MemberGeometry, name: FlankName) -> Floats:
+    """The border of a flank drawn flat, shape (n, 2)."""
+    grid = flank_of(member, name).points(*np.ix_(np.linspace(0, 1, 9), np.linspace(0, 1, 25)))
+    return outline(*_flat(grid, member.pitch_angle))
 
 
-def analyse(pair: PairGeometry, misalignment: Misalignment, thickness_um: float) -> ContactView:
-    """Analyse the contact and bring it into the form in which it is shown; raises GeometryError without contact."""
-    result = contact_analysis(pair, misalignment, thickness_um=thickness_um)
-    patterns = {
-        side.direction: (
-            _pattern(pair, side.pinion, side.path.pinion_points),
-            _pattern(pair, side.wheel, side.path.wheel_points),
-        )
-        for side in (result.drive, result.coast)
-    }
-    return ContactView(result, patterns)
+def pattern_title(pattern: FlankPattern) -> str:
+    """Member and flank."""
+    return f"{MEMBER_TITLES[pattern.member]}, {pattern.flank} flank"
 
 
 def _pattern(pair: PairGeometry, pattern: FlankPattern, path: Floats) -> PatternMap:
     member = pair.member(pattern.member)
-    flank = flank_of(member, pattern.flank)
-    edge = outline(*_flat(flank.points(*np.ix_(np.linspace(0, 1, 9), np.linspace(0, 1, 25))), member.pitch_angle))
+    edge = flank_edge(member, pattern.flank)
     x, y = drawn_flat(pattern.rho, np.radians(pattern.delta_deg), member.pitch_angle)
     gap = np.where(np.isfinite(pattern.gap_um), pattern.gap_um, NO_MATE)
     extent = frame(edge)
     image = np.nan_to_num(raster(x, y, gap, RASTER, extent), nan=NO_MATE)
     return PatternMap(
-        f"{MEMBER_TITLES[pattern.member]}, {pattern.flank} flank",
+        pattern_title(pattern),
         np.where(inside(edge, RASTER, extent), image, np.nan),
         extent,
         edge,
@@ -93,9 +89,8 @@ def error_chart(side: FlankContact) -> ChartData:
     )
 
 
-def pattern_table(view: ContactView, direction: Direction) -> Table:
+def pattern_table(side: FlankContact) -> Table:
     """The pattern's numbers on both members."""
-    side = view.result.direction(direction)
     rows = [
         (one.member, one.flank, *values)
         for one in (side.pinion, side.wheel)
@@ -104,13 +99,13 @@ def pattern_table(view: ContactView, direction: Direction) -> Table:
     return Table(("member", "flank", "rho [mm]", "delta [deg]", "gap [µm]"), rows)
 
 
-def facts(view: ContactView, direction: Direction) -> tuple[tuple[str, str], ...]:
+def facts(result: ContactResult, direction: Direction) -> tuple[tuple[str, str], ...]:
     """The numbers in a line: name and value."""
-    side = view.result.direction(direction)
+    side = result.direction(direction)
     peak = side.peak_to_peak_arcsec
     return (
         ("Peak to peak", f"{significant(peak)}″" if peak >= 1e-4 else "< 0.0001″"),
         ("Contact ratio", f"{side.contact_ratio:.2f}"),
         ("Pattern", f"{100 * side.pattern_share:.0f} %"),
-        ("Backlash", f"{significant(view.result.play_mm * 1e3) if abs(view.result.play_mm) > 1e-6 else 0} µm"),
+        ("Backlash", f"{significant(result.play_mm * 1e3) if abs(result.play_mm) > 1e-6 else 0} µm"),
     )

@@ -16,6 +16,8 @@ from ui.charts.records import Axis, ChartData, Reference, Series, Table
 GRID_ALPHA = 40
 LABEL_GAP_PX = 13
 REACH_PX = 40.0
+LEAST_FILLED = 0.5
+"""While the curves fill this part of the height, the scale stays as they move."""
 
 
 class Chart(QWidget):
@@ -38,11 +40,13 @@ class Chart(QWidget):
         self._lines: list[tuple[pg.InfiniteLine, Reference]] = []
         self._curves: list[pg.PlotDataItem] = []
         self._spans: list[pg.PlotDataItem] = []
+        self._held = False
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.addWidget(self._view)
         self._view.scene().sigMouseMoved.connect(self._on_moved)
         self._view.scene().sigMouseClicked.connect(self._on_clicked)
+        self.plot.vb.sigRangeChangedManually.connect(self._on_zoomed)
         self.plot.vb.sigRangeChanged.connect(lambda *_: self._declutter())
         self.plot.vb.sigResized.connect(lambda *_: self._declutter())
         self.setMinimumSize(220, 140)
@@ -118,6 +122,19 @@ class Chart(QWidget):
             item.setData(series.x, series.y)
         for item, places in zip(self._spans, self._span_places(), strict=True):
             item.setData(*places)
+        self._hold_scale()
+
+    def _hold_scale(self) -> None:
+        """Leave the scale as it is while the curves fit it well: a slider then moves curves, not axes."""
+        box = self.plot.vb
+        if not (self._held or box.autoRangeEnabled()[1]):
+            return
+        found = [item.dataBounds(1) for item in (*self._curves, *self._spans)]
+        ends = [end for low_high in found for end in low_high if end is not None]
+        low, high = box.viewRange()[1]
+        fits = bool(ends) and low <= min(ends) and max(ends) <= high
+        self._held = fits and max(ends) - min(ends) >= LEAST_FILLED * (high - low)
+        box.enableAutoRange(box.YAxis, not self._held)
 
     def _span_places(self) -> list[tuple[list[float], list[float]]]:
         """Unseen strokes, so that the scale reaches over the spans."""
@@ -169,6 +186,9 @@ class Chart(QWidget):
                 line.label.setVisible(room)
 
     # ---- pointing ------------------------------------------------------------------------------------
+
+    def _on_zoomed(self, *_: object) -> None:
+        self._held = False
 
     def _on_clicked(self, event: object) -> None:
         if event.double():  # type: ignore[attr-defined]

@@ -6,6 +6,7 @@ import numpy as np
 import pyqtgraph as pg
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor, QPen
+from PySide6.QtWidgets import QGraphicsItem
 
 from ui.charts.colors import chart_color
 from ui.charts.records import Axis, Entry, Series, Stroke
@@ -28,6 +29,7 @@ class ChartAxis(pg.AxisItem):
         super().__init__(side)
         self.setStyle(tickLength=-5, autoExpandTextSpace=True, hideOverlappingLabels=True)
         self.enableAutoSIPrefix(False)
+        self.setCacheMode(QGraphicsItem.CacheMode.DeviceCoordinateCache)
         self._axis = Axis("")
 
     def show_axis(self, axis: Axis) -> None:
