@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ui.layers import Layer
-from ui.picking import Picker
+from ui.picking import Hit, Picker
 from ui.section import Plane
 
 Floats = NDArray[np.float64]
@@ -26,12 +26,15 @@ class Picked:
         [mm].
     normal : ndarray, shape (3,)
         Out of the metal, in the gear's own frame; of a cut face, that of the plane.
+    hit : Hit, optional
+        The triangle, in the frame that the layers were made in; None on a cut face.
     """
 
     member: str
     point: Floats
     local: Floats
     normal: Floats
+    hit: Hit | None = None
 
 
 @dataclass(frozen=True)
@@ -106,9 +109,9 @@ def pick(
         normal = frame.turn @ (hit.weights @ hit.layer.normals[hit.corners])
         point, distance = frame.turn @ hit.point, hit.distance
         if entered is not None and normal @ direction > 0:  # the ray came through the cut face
-            point, normal, distance = entered, plane.normal, 0.0  # type: ignore[union-attr]
+            point, normal, distance, hit = entered, plane.normal, 0.0, None  # type: ignore[union-attr]
         elif plane is not None and plane.beyond(point) > 0:
             continue
         back = (frame.turn @ frame.base).T
-        best = (distance, Picked(member, point, back @ point, back @ (normal / np.linalg.norm(normal))))
+        best = (distance, Picked(member, point, back @ point, back @ (normal / np.linalg.norm(normal)), hit))
     return None if best is None else best[1]

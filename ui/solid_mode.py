@@ -14,9 +14,11 @@ from ui.solids import Solids
 if TYPE_CHECKING:
     from ui.camera import Camera
     from ui.main_window import MainWindow
+    from ui.picking import Hover
     from ui.presenter import Presenter
     from ui.runner import JobRunner
     from ui.solid_measure import SolidMeasure
+    from ui.solid_pointer import SolidPointer
     from ui.solid_view import SolidView
 
 Mode = Literal["flanks", "gear", "pair"]
@@ -43,6 +45,7 @@ class SolidMode(QObject):
         self.mode: Mode = "flanks"
         self.view: SolidView | None = None
         self.measuring: SolidMeasure | None = None
+        self.pointer: SolidPointer | None = None
         self._flank_view: tuple[Camera, str] | None = None
         self._to_fit = self._turning = False
         self._fitted: Camera | None = None
@@ -75,12 +78,14 @@ class SolidMode(QObject):
     def views_ready(self) -> None:
         """The window has its views now."""
         from ui.solid_measure import SolidMeasure
+        from ui.solid_pointer import SolidPointer
         from ui.solid_view import SolidView
 
         area = self._window.area
         assert area.grid is not None and area.mesh_bar is not None
         self.view = SolidView(area.grid)
         self.measuring = SolidMeasure(self.view, self._panel.show_measure, self)
+        self.pointer = SolidPointer(self.view, self._on_pointed, self)
         area.mesh_bar.turned.connect(self._on_turned)
         area.grid.viewport.drawing.connect(self._on_drawing)
         self._show_mode()
@@ -125,6 +130,8 @@ class SolidMode(QObject):
         if self.view is None:
             return
         self.view.close()
+        if self.pointer is not None:
+            self.pointer.show_solids({})
         if self._window.area.color_bar is not None:
             self._window.area.color_bar.show()
         self._presenter.redraw()
@@ -181,6 +188,8 @@ class SolidMode(QObject):
             self._to_fit = self._to_fit or grid.viewport.look is self._fitted
             if self.measuring is not None:
                 self.measuring.clear()
+        if self.pointer is not None:
+            self.pointer.show_solids({k.member: self.solids.built[k] for k in self.keys if k in self.solids.built})
         extent = self.view.extent(self._panel.axis)
         if extent is not None:
             self._panel.set_section_range(*extent)
@@ -211,6 +220,8 @@ class SolidMode(QObject):
     def _on_turned(self, degrees: float) -> None:
         if self.mode != "pair" or self.view is None:
             return
+        if self.pointer is not None:
+            self.pointer.clear()
         if not self._turning:
             self._turning = True
             if self.measuring is not None:
@@ -224,6 +235,11 @@ class SolidMode(QObject):
         self._turning = False
         if self.view is not None and self.view.plane is not None:
             self.redraw()
+
+    def _on_pointed(self, hover: Hover | None) -> None:
+        self._window.status.show_hover(hover)
+        if self._window.area.color_bar is not None and self._panel.deviation:
+            self._window.area.color_bar.set_marker(None if hover is None else hover.deviation_um)
 
     def _on_drawing(self, _hurried: bool) -> None:
         bar, view = self._window.area.mesh_bar, self.view
