@@ -18,7 +18,7 @@ from ui.analysis.background import Newest
 from ui.analysis.contact_controls import WIDTH, ContactControls
 from ui.analysis.contact_view import NO_MATE, error_chart, facts, pattern_table
 from ui.analysis.contact_work import Case, ContactView, Shown, analyse
-from ui.analysis.ease_off_view import ease_off_data, ease_off_words
+from ui.analysis.ease_off_view import ease_off_data, ease_off_facts, ease_off_words
 from ui.charts.chart import Chart
 from ui.charts.colors import chart_color
 from ui.charts.frame import ChartFrame
@@ -171,7 +171,10 @@ class ContactPage(QWidget):
         self.maps.show_data(_pattern_data(view) if view.ease_off is None else ease_off_data(view.ease_off, side))
         self.pattern_frame.set_hint(self._hint)
         self.error.show_data(error_chart(side))
-        cells = [_fact(name, value) for name, value in facts(view.result, view.side)]
+        known = facts(view.result, view.side)
+        if view.ease_off is not None:
+            known = (*known, *ease_off_facts(view.ease_off))
+        cells = [_fact(name, value) for name, value in known]
         rows = (f"<tr>{''.join(cells[start : start + 2])}</tr>" for start in range(0, len(cells), 2))
         self.facts.setText(f'<table cellspacing="0" cellpadding="1">{"".join(rows)}</table>')
         self._warn("\n".join(issue.message for issue in _of_side(view)), "warning")

@@ -54,11 +54,17 @@ def convergence_chart(
                micrometre_tick if deviation else _writer(size)),
         series=series,
         references=(Reference(tolerance_um, words, "warning"),) if deviation and series else (),
-        legend=tuple(Entry(METHOD_TITLES[method], method) for method in found),
+        legend=tuple(Entry(_legend(study, tolerance_um), method) for method, study in found.items()),
         note="" if series else tr("Run the study: each method is built with growing effort"),
         ticks=[(float(np.log10(value)), _writer(effort)(value)) for value in _TICKS.get(effort, _SECONDS)],
         table=_table(found),
     )  # fmt: skip
+
+
+def _legend(study: ConvergenceStudy, tolerance_um: float) -> str:
+    """The method, and from which count on it keeps the tolerance."""
+    reached, title = study.reaching(tolerance_um), METHOD_TITLES[study.method]
+    return title if reached is None else f"{title}: {reached.count} {COUNTED[study.method]}"
 
 
 def summary(studies: Mapping[str, ConvergenceStudy], tolerance_um: float) -> str:

@@ -85,6 +85,13 @@ def ease_off_words(made: EaseOffMaps) -> str:
     return tr("Contours every {step} µm; 0 at the mean point", step=significant(made.step_um))
 
 
+def ease_off_facts(made: EaseOffMaps) -> tuple[tuple[str, str], ...]:
+    """The numbers in a line: name and value."""
+    if not made.step_um:
+        return ((tr("Ease-off"), tr("flat")),)
+    return ((tr("Contours"), f"{significant(made.step_um)} µm"), (tr("Zero"), tr("mean point")))
+
+
 def _map(pair: PairGeometry, pattern: FlankPattern, heights: Floats, levels: Floats) -> FlankMap:
     member = pair.member(pattern.member)
     edge = flank_edge(member, pattern.flank)

@@ -95,7 +95,11 @@ class MeasuredView(QWidget):
         grid, bar = self._made()
         grid.set_panels((Panel(NAME, tr("Measured points"), title, (*member_layers(member), *layers)),))
         bar.set_data_limit(largest)
-        grid.set_color_range(bar.limit)
+        self._color(*bar.range)
+
+    def _color(self, low: float, high: float) -> None:
+        if self.grid is not None:
+            self.grid.set_color_range(high, low)
 
     def _made(self) -> tuple[ViewGrid, ColorBar]:
         if self.grid is None or self.bar is None:
@@ -103,7 +107,7 @@ class MeasuredView(QWidget):
             from ui.view_grid import ViewGrid
 
             self.grid, self.bar = ViewGrid(self), ColorBar(self)
-            self.bar.limit_changed.connect(self.grid.set_color_range)
+            self.bar.range_changed.connect(self._color)
             self._row.addWidget(self.grid, 1)
             self._row.addWidget(self.bar)
             self.grid.set_theme(is_dark())

@@ -17,7 +17,7 @@ from ui.charts.parts import pen
 from ui.charts.records import Table
 from ui.theme import is_dark
 
-MOST_LINES, BAR_BLOCKS = 4, 24
+MOST_LINES, BAR_BLOCKS = 4, 14
 
 
 class MapChart(QWidget):
