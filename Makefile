@@ -39,6 +39,7 @@ format:
 bench:
 	@bash tools/bootstrap.sh bench
 	bash tools/screen.sh $(PY) -m benchmarks
+	bash tools/screen.sh $(PY) -m benchmarks.memory
 
 bundle:
 	@bash tools/bootstrap.sh bundle

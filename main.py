@@ -31,8 +31,9 @@ def _run(arguments: list[str]) -> int:
     if _looks_like_a_command(first):
         return _refuse(first)
     from ui.app import main as window
+    from ui.leaving import leave
 
-    return int(window(arguments))
+    leave(window(arguments))
 
 
 def _take_picture(args: Namespace) -> int:

@@ -85,6 +85,7 @@ class Studio(QObject):
         self.loader = Loader(parent=self)
         self._dialogs: list[ReportDialog] = []
         self.loader.loaded.connect(self._on_loaded)
+        self.loader.finished.connect(self.desk.offer_recovery)
         self.loader.failed.connect(self._on_failed)
         self.window.first_painted.connect(self.loader.start)
         self.window.closing.connect(self._on_closing)
@@ -115,7 +116,6 @@ class Studio(QObject):
         if stage == "core":
             self._fill_presets()
             self.controller.begin(self._design)
-            self.desk.offer_recovery()
         elif stage == "worker":
             from ui.runner import JobRunner
 

@@ -100,6 +100,7 @@ class LogPanel(QWidget):
         self._entries.append(Entry(level, text))
         if level >= self.level.currentData():
             self.text.appendPlainText(text)
+            self.text.horizontalScrollBar().setValue(0)
         self._show_count()
 
     def _fill(self) -> None:

@@ -198,6 +198,8 @@ class MainWindow(QMainWindow):
         self.closing.emit()
         self.analysis.close_pages()
         self.area.close_views()
+        if self._settings is not None:
+            self._settings.sync()
         event.accept()
 
     def _make_toolbar(self) -> None:

@@ -308,3 +308,47 @@ def test_a_closed_autosave_leaves_nothing(quick, tmp_path, qtbot) -> None:
     keeper.close()
     assert not list(tmp_path.iterdir())
     bench.close()
+
+
+SESSION = """
+from PySide6.QtCore import QTimer
+from PySide6.QtWidgets import QApplication
+import main, ui.app
+from ui.projects.recovery_dialog import RecoveryDialog
+make = ui.app.make_application
+def make_and_look(argv):
+    application = make(argv)
+    application.look = QTimer(interval=200)
+    application.look.timeout.connect(look)
+    application.look.start()
+    return application
+def look():
+    dialog = next((w for w in QApplication.allWidgets() if isinstance(w, RecoveryDialog) and w.isVisible()), None)
+    if dialog is not None:
+        row, window = dialog.list.topLevelItem(0), dialog.parent()
+        print([row.text(column) for column in range(3)])
+        dialog.recover.click()
+        print(window.windowTitle(), window.isWindowModified())
+        window.may_close = lambda: True
+        window.close()
+ui.app.make_application = make_and_look
+main.main([])
+"""
+
+
+@pytest.mark.gl
+@pytest.mark.skipif(not os.environ.get("DISPLAY"), reason="needs a screen")
+def test_the_next_start_offers_what_a_killed_program_had(tmp_path) -> None:
+    place = {name: str(tmp_path / "home") for name in ("XDG_DATA_HOME", "XDG_CONFIG_HOME", "XDG_STATE_HOME")}
+    path = tmp_path / "axle.gear.toml"
+    save_design(path, Design())
+    data = tmp_path / "home" / "GearStudio" / "GearStudio"
+    left_behind(data, path, "axle.gear.toml", **{TEETH: 47})
+    command = [sys.executable, "-c", SESSION]
+    done = subprocess.run(
+        command, cwd=ROOT, env=os.environ | place, capture_output=True, text=True, timeout=100, check=False
+    )
+    assert done.returncode == 0, done.stderr
+    row, title = done.stdout.strip().splitlines()
+    assert "axle.gear.toml" in row and row.count("valid") == 2 and title == "axle.gear.toml[*] – GearStudio True"
+    assert not list((data / "recovery").iterdir()), "closed in good order"

@@ -23,6 +23,8 @@ from ui.projects.backups import Backup, Backups
 from ui.projects.versions import Version, changed_fields, field_title, saved_version, short_date
 from ui.words import tr
 
+DATE_WIDTH, STATE_WIDTH = 170, 230
+
 
 class BackupsDialog(QDialog):
     """A design of those that have backups, its copies with date and validity, and how each differs from the draft.
@@ -55,8 +57,10 @@ class BackupsDialog(QDialog):
         self.list.setRootIsDecorated(False)
         self.list.setHeaderLabels([tr("Saved"), tr("State"), tr("Differs from what is open in")])
         self.list.setAccessibleName(tr("Backups"))
-        self.list.header().setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
-        self.list.header().setSectionResizeMode(2, QHeaderView.ResizeMode.Stretch)
+        self.list.header().setSectionResizeMode(QHeaderView.ResizeMode.Interactive)
+        self.list.header().setStretchLastSection(True)
+        for column, width in enumerate((DATE_WIDTH, STATE_WIDTH)):
+            self.list.setColumnWidth(column, width)
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
         self.restore = buttons.addButton(tr("&Go back to this one"), QDialogButtonBox.ButtonRole.AcceptRole)
         self.restore.setToolTip(tr("Put it in place of what is open; Undo takes that back. No file is changed."))
