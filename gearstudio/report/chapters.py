@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 
+from gearstudio.analysis.convergence import COUNTED
 from gearstudio.catalogue import MEMBERS, METHOD_INFOS, VARIANTS
 from gearstudio.design import field_specs
 from gearstudio.equations import EQUATIONS, Given, numbers_of
@@ -172,6 +173,27 @@ def _contact(content: Content, store: Store) -> list[Block]:
     return [*blocks, *(Text(f"Warning: {issue.message}.") for issue in found.warnings)]
 
 
+def _convergence(content: Content, store: Store) -> list[Block]:
+    titles = {method.id: method.title for method in METHOD_INFOS}
+    tolerance = content.design.methods.tolerance_um
+    made = []
+    for study in content.studies:
+        reached = study.reaching(tolerance)
+        what = COUNTED[study.method]
+        found = ("not reached", "", "", "")
+        if reached is not None:
+            found = (f"{reached.count} {what}", str(reached.poles), f"{reached.seconds * 1e3:.0f} ms",
+                     f"{reached.max_um:.3g}")  # fmt: skip
+        made.append((titles[study.method], *found))
+    head = ("Method", f"Reaches {tolerance:g} µm with", "Poles", "Time", "Largest [µm]")
+    caption = f"{content.member.capitalize()}: largest deviation over both flanks against the effort."
+    return [
+        Text("Every method built with more and more positions, sections or points, and nothing else refined."),
+        Table(head, rows(made), "llrrr"),
+        store.add("convergence.svg", charts.convergence(content), caption),
+    ]
+
+
 def _equations(content: Content, _: Store) -> list[Block]:
     blocks: list[Block] = []
     group = ""
@@ -207,5 +229,6 @@ _MAKERS: dict[str, Callable[[Content, Store], list[Block]]] = {
     "curvature": _curvature,
     "topography": _topography,
     "contact": _contact,
+    "convergence": _convergence,
     "equations": _equations,
 }

@@ -44,6 +44,24 @@ def deviation_series(content: Content) -> bytes:
         return svg(drawn)
 
 
+def convergence(content: Content) -> bytes:
+    """Largest deviation against poles and against seconds, all methods, with the tolerance of the design."""
+    titles = {method.id: method.title for method in METHOD_INFOS}
+    with figure(2.3, 1, 2, sharey=True) as (drawn, axes):
+        for ax, effort, label in zip(axes[0], ("poles", "seconds"), ("poles", "seconds for both flanks"), strict=True):
+            for study in content.studies:
+                effort_of = [getattr(point, effort) for point in study.points]
+                worst = [max(point.max_um, _LEAST_UM) for point in study.points]
+                ax.plot(effort_of, worst, "o-", ms=2.5, color=COLORS[study.method], label=titles[study.method])
+            ax.axhline(content.design.methods.tolerance_um, color="#30343a", lw=0.7, ls="--", label="tolerance")
+            ax.set_xscale("log")
+            ax.set_yscale("log")
+            ax.set_xlabel(label)
+        axes[0, 0].set_ylabel("largest deviation [µm]")
+        axes[0, 0].legend()
+        return svg(drawn)
+
+
 def patterns(content: Content, contact: ContactResult) -> bytes:
     """Contact pattern on both members, drive and coast: where the gap stays within the marking thickness."""
     with figure(3.0, 2, 2) as (drawn, axes):

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass, field
+from functools import partial
 from typing import TypeVar
 
 from gearstudio.analysis.comparison import build_variant
 from gearstudio.analysis.contact import contact_analysis
 from gearstudio.analysis.contact_result import ContactResult
+from gearstudio.analysis.convergence import ConvergenceStudy, convergence_point, convergence_study
 from gearstudio.analysis.datasheet import DataSheet, data_sheet
 from gearstudio.catalogue import MEMBERS, METHOD_IDS, VARIANTS, MemberName, Variant
 from gearstudio.design import Design
@@ -22,6 +24,7 @@ T = TypeVar("T")
 
 _BUILT_FOR = {"comparison", "deviation", "curvature", "topography", "pictures"}
 _SAMPLES = (49, 49)
+_COUNTS = (4, 6, 8, 11, 15, 21, 30)
 
 
 @dataclass(frozen=True)
@@ -42,6 +45,7 @@ class Content:
     failures: Mapping[Key, str] = field(default_factory=dict)
     sheet: DataSheet | None = None
     contact: ContactResult | None = None
+    studies: tuple[ConvergenceStudy, ...] = ()
     notes: tuple[str, ...] = ()
 
 
@@ -63,7 +67,15 @@ def gather(design: Design, member: MemberName, sections: Collection[str], report
     sheet = _tried(lambda: data_sheet(design), notes) if "sheet" in sections else None
     report("tooth contact", 0.55)
     contact = _tried(lambda: contact_analysis(pair), notes) if "contact" in sections else None
-    return Content(design, pair, member, results, failures, sheet, contact, tuple(notes))
+    report("convergence", 0.58)
+    studies = _studies(design, member) if "convergence" in sections else ()
+    return Content(design, pair, member, results, failures, sheet, contact, studies, tuple(notes))
+
+
+def _studies(design: Design, member: MemberName) -> tuple[ConvergenceStudy, ...]:
+    return tuple(
+        convergence_study(method, partial(convergence_point, design, member, method), _COUNTS) for method in METHOD_IDS
+    )
 
 
 def _tried(make: Callable[[], T], notes: list[str]) -> T | None:

@@ -25,6 +25,7 @@ SECTIONS = (
     Section("curvature", "Curvature", "Gaussian curvature of the surfaces and of theory"),
     Section("topography", "Topography", "The measuring grid with a bar at each point, both flanks"),
     Section("contact", "Tooth contact", "Contact pattern, ease-off and transmission error, drive and coast"),
+    Section("convergence", "Convergence", "Largest deviation against poles and seconds of each method"),
     Section("equations", "Equations", "The formulas used, the paper's departures, and this design's numbers"),
 )
 SECTION_KEYS = tuple(section.key for section in SECTIONS)
