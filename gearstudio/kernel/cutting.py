@@ -64,7 +64,7 @@ def cut_spaces(blank: TurnedBody, space: GearShell, teeth: int, report: Report) 
     GeometryError
         The Boolean failed or left other than one solid.
     """
-    report("placing the tooth spaces", 0.0)
+    report("placing the tooth spaces", 0.04)
     tools, spaces = [], []
     for index in range(teeth):
         turned = BRepBuilderAPI_Transform(space.solid, _turn(2 * np.pi * index / teeth), True)

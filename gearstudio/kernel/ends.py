@@ -27,6 +27,7 @@ _NODES_A_SPAN = (3, 6, 12, 24)
 _LOOKS_A_SPAN = 31
 _SEAM_NODES = 6
 _SHARE = 1e-8
+_CUT_SHARE = 3e-8
 _SAME_KNOT = 1e-9
 
 
@@ -113,15 +114,15 @@ def _whole(record: NurbsSurface, curve: Geom_Curve, face: int, end: int, span: t
 
 
 def _cut(record: NurbsSurface, face: int, cut: EndCut) -> EndPiece:
-    knots = _within((cut.first, cut.last), np.r_[record.knots_u, cut.spline.t])
+    knots = _within((cut.first, cut.last), record.knots_u)
 
     def on_face(u: Floats) -> Floats:
         return record.points(u, cut.v(u))
 
     scale = float(np.abs(record.poles).max())
-    spline, gap = fitted_curve(on_face, knots, _SHARE * scale)
+    spline, gap = fitted_curve(on_face, knots, _CUT_SHARE * scale)
     curve = to_curve(spline.c, spline.t, spline.k)
-    flat, _ = fitted_curve(lambda u: np.stack([u, cut.v(u)], axis=-1), knots, 1e-12)
+    flat, _ = fitted_curve(lambda u: np.stack([u, cut.v(u)], axis=-1), knots, _CUT_SHARE)
     between = between_nodes(knots)
     off = float(np.linalg.norm(record.points(*flat(between).T) - spline(between), axis=-1).max())
     span = (cut.first, cut.last)

@@ -12,7 +12,7 @@ from OCP.Geom2d import Geom2d_Curve
 from OCP.gp import gp_Pnt
 from OCP.TopAbs import TopAbs_Orientation
 from OCP.TopLoc import TopLoc_Location
-from OCP.TopoDS import TopoDS_Edge, TopoDS_Face, TopoDS_Shell, TopoDS_Solid, TopoDS_Vertex, TopoDS_Wire
+from OCP.TopoDS import TopoDS, TopoDS_Edge, TopoDS_Face, TopoDS_Shell, TopoDS_Solid, TopoDS_Vertex, TopoDS_Wire
 
 from gearstudio.kernel.convert import CONFUSION_MM
 
@@ -67,7 +67,7 @@ class Maker:
                 self.builder.Add(wire, edge.Oriented(_FORWARD if forward == outward else _REVERSED))
             wire.Closed(True)
             self.builder.Add(face, wire)
-        face = face if outward else face.Reversed()
+        face = face if outward else TopoDS.Face(face.Reversed())
         self.builder.Add(self.shell, face)
         return face
 

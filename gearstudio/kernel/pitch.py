@@ -141,8 +141,9 @@ def _make_end(maker: Maker, pitch: Pitch, tooth: ToothMade, following: ToothMade
         arc = maker.edge(chamfer.arc.curve.Transformed(turn), chamfer.arc.span, left, right, chamfer.gap)
         surface = chamfer.surface.Transformed(turn)
         edges = [tooth.ends[end][k] for k in chamfer.cuts]
-        for edge, (trace, gap) in zip((*edges, arc), chamfer.traces, strict=True):
-            maker.lay(edge, trace, surface, gap)
+        own = [*(pieces[k].gap for k in chamfer.cuts), 0.0]
+        for edge, (trace, gap), on_face in zip((*edges, arc), chamfer.traces, own, strict=True):
+            maker.lay(edge, trace, surface, gap + on_face)
         uses = [*((edge, bool(end)) for edge in edges), (arc, not end)]
         tooth.arcs[end] = arc
         tooth.chamfers.append(maker.face(surface, [uses if end else uses[::-1]], chamfer.outward))

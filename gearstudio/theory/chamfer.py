@@ -19,11 +19,11 @@ from gearstudio.theory.cones import ConeLimit, MemberGeometry
 Floats = NDArray[np.float64]
 Point = tuple[float, float]
 
-_LARGEST_SHARE = 0.9
+_LARGEST_SHARE = 0.8
 _SMALLEST_SHARE = 2e-3
 _DEGREE = 5
-_NODES = (9, 17, 33, 65)
-_SHARE = 1e-9
+_NODES = (9, 17, 33, 65, 129)
+_SHARE = 3e-8
 _PROBE = 65
 _ROUNDS = 8
 _SLIVER = 1e-9

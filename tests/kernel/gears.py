@@ -1,0 +1,53 @@
+"""What tests of whole gears share: designs by a few changes, and points inside the faces of a solid."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from OCP.BRepAdaptor import BRepAdaptor_Surface
+from OCP.BRepTools import BRepTools
+from OCP.gp import gp_Pnt2d
+from OCP.IntTools import IntTools_FClass2d
+from OCP.TopAbs import TopAbs_State
+
+from gearstudio.design import Design, with_field
+from gearstudio.kernel.cutting import Face
+
+Floats = NDArray[np.float64]
+Changes = Mapping[str, Any]
+INSIDE = TopAbs_State.TopAbs_IN
+
+
+def changed(changes: Changes, design: Design | None = None) -> Design:
+    """A design, the default one or another, with other values in some fields."""
+    design = Design() if design is None else design
+    for path, value in changes.items():
+        design = with_field(design, path, value)
+    return design
+
+
+def points_inside(face: Face, wanted: int = 6) -> Floats:
+    """Some points well inside a face, however it is trimmed, shape (n, 3)."""
+    surface, inside = BRepAdaptor_Surface(face), IntTools_FClass2d(face, 1e-7)
+    u0, u1, v0, v1 = BRepTools.UVBounds_s(face)
+    found: list[tuple[float, float, float]] = []
+    for n in (4, 12, 40, 120):
+        at = (np.arange(n) + 0.5) / n
+        places = [(u0 + a * (u1 - u0), v0 + b * (v1 - v0)) for a in at for b in at]
+        places = [place for place in places if inside.Perform(gp_Pnt2d(*place)) == INSIDE]
+        if len(places) >= wanted:
+            kept = places[:: max(1, len(places) // wanted)]
+            found = [(p.X(), p.Y(), p.Z()) for p in (surface.Value(*place) for place in kept)]
+            break
+    return np.array(found)
+
+
+def by_name(faces: Iterable[tuple[str, Face]]) -> dict[str, list[Face]]:
+    """Faces of a gear by their names; a name may stand for several pieces."""
+    found: dict[str, list[Face]] = {}
+    for name, face in faces:
+        found.setdefault(name, []).append(face)
+    return found
