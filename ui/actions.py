@@ -48,6 +48,10 @@ class Command:
     icon: str = ""
 
 
+EDIT = (
+    "copy", "copy_any_table", "copy_table", "copy_derived", "",
+    "reset_field", "reset_all", "find_field", "", "palette", "preferences",
+)  # fmt: skip
 COMMANDS = (
     Command("new", "&New", "Start from the default design", Keys.New, "new"),
     Command("new_window", "New &window", "Open another window, with a CAD process of its own", "Ctrl+Shift+N"),
@@ -64,11 +68,17 @@ COMMANDS = (
     Command("quit", "&Quit", "", Keys.Quit),
     Command("undo", "&Undo", "Take back the last edit", Keys.Undo, "undo"),
     Command("redo", "&Redo", "Do again what was taken back", Keys.Redo, "redo"),
+    Command("copy", "&Copy", "Copy what is chosen in a table or text", Keys.Copy),
+    Command("copy_any_table", "Copy &table", "Copy the table with the focus, for a spreadsheet", "Ctrl+Shift+C"),
     Command("reset_field", "Reset &field", "Give the field with the cursor its default back", "Ctrl+R"),
     Command("reset_all", "Reset a&ll parameters", "Give every parameter its default back; can be undone"),
     Command("find_field", "&Find a parameter", "Search the parameters by title, symbol or description", Keys.Find),
-    Command("copy_table", "&Copy comparison", "Copy the comparison table as text"),
+    Command("copy_table", "Copy co&mparison", "Copy the comparison table as text"),
     Command("copy_derived", "Copy &derived values", "Copy the derived values as text"),
+    Command("preferences", "&Preferences…", "Units, theme, language, memory and keys", "Ctrl+,"),
+    Command("palette", "Command &palette…", "Find any command or parameter by a few letters", "Ctrl+Shift+P"),
+    Command("keys", "&Keys…", "List and change the keys of all commands"),
+    Command("what_is_this", "&What is this?", "Explain the parameter with the cursor, or what is clicked", "Shift+F1"),
     Command("build_gear", "Build &gear", "Build the whole gear as a solid and show it", "Ctrl+G"),
     Command("build_pair", "Build &pair", "Build both gears and show them in mesh", "Ctrl+Shift+G"),
     Command("rebuild", "&Rebuild", "Build every variant again", "F5", "rebuild"),
@@ -106,7 +116,9 @@ class Actions(QObject):
         check(self.flanks, "concave")
         check(self.schemes, "system")
         self.views = self._choices(list(VIEW_NAMES), checkable=False)
-        self.presets = QMenu("Open &preset", window)
+        self._name_choices()
+        self.presets = QMenu(tr("&Samples"), window)
+        self.resets = QMenu(tr("Reset to &sample"), window)
         self.recent = QMenu(tr("Open &recent"), window)
         self.layers = QMenu("&Layers", window)
         self._build_menus(window)
@@ -147,6 +159,7 @@ class Actions(QObject):
         for info in LAYERS:
             action = self.layers.addAction(info.title)
             action.setData(info.id)
+            action.setObjectName(f"layers.{info.id}")
             action.setCheckable(True)
 
     def show_layers(self, layer_ids: Collection[str]) -> None:
@@ -183,16 +196,23 @@ class Actions(QObject):
                 action.setShortcut(QKeySequence(keys))
         return group
 
+    def _name_choices(self) -> None:
+        for prefix in ("members", "methods", "variants", "flanks", "modes", "schemes", "views"):
+            for action in getattr(self, prefix).actions():
+                action.setObjectName(f"{prefix}.{action.data()}")
+
     def _build_menus(self, window: QMainWindow) -> None:
         bar = window.menuBar()
         start = ("new", "new_window", "open")
         keep = ("", "save", "save_as", "backups", "recover", "", "compare_design", "")
         plan: tuple[tuple[str, tuple[str | QMenu, ...]], ...] = (
             ("&File", (*start, self.recent, self.presets, *keep, "export", "screenshot", "", "quit")),
-            ("&Edit", ("undo", "redo", "", "reset_field", "reset_all", "find_field", "", "copy_table", "copy_derived")),
+            ("&Edit", ("undo", "redo", "", *EDIT)),
         )
         for title, items in plan:
             _fill(bar.addMenu(title), items, self)
+        edit = bar.actions()[1].menu()
+        edit.insertMenu(self["find_field"], self.resets)
         view = bar.addMenu("&View")
         view.addActions(self.modes.actions())
         view.addSeparator()
@@ -211,7 +231,7 @@ class Actions(QObject):
         for group in (self.members, self.methods, self.variants):
             model.addSeparator()
             model.addActions(group.actions())
-        _fill(bar.addMenu("&Help"), ("about", "diagnostics", "", "reset_settings"), self)
+        _fill(bar.addMenu("&Help"), ("what_is_this", "keys", "", "about", "diagnostics", "", "reset_settings"), self)
 
 
 def check(group: QActionGroup, identifier: str) -> None:
@@ -227,6 +247,7 @@ def show_keys(action: QAction, tip: str = "") -> None:
     action.setProperty(TIP, said)
     keys = action.shortcut().toString(QKeySequence.SequenceFormat.NativeText)
     action.setToolTip(f"{said} ({keys})" if keys else said)
+    action.setStatusTip(said)
 
 
 def _numbered(identifiers: tuple[str, ...], titles: dict[str, str]) -> list[tuple[str, str, str]]:

@@ -13,10 +13,12 @@ from PySide6.QtCore import QCoreApplication, QObject, QSettings, Qt, Slot
 from PySide6.QtGui import QGuiApplication, QSurfaceFormat
 from PySide6.QtWidgets import QApplication
 
+from ui.actions import TIP
 from ui.controller import Controller
 from ui.diagnostics import CrashCatcher, log_path, log_tail, note_fact, start_logging, versions
 from ui.files import Files
 from ui.graphics import MODES, advice, graphics_mode, prepare, probe
+from ui.habits import Habits
 from ui.loading import Loader
 from ui.main_window import MainWindow
 from ui.messages import ReportDialog
@@ -25,13 +27,9 @@ from ui.session import Session
 from ui.settings_file import open_settings, reset_settings
 from ui.theme import Theme, is_dark
 from ui.upkeep import Upkeep
+from ui.words import tr
 
 log = logging.getLogger(__name__)
-SCHEMES = {
-    "system": Qt.ColorScheme.Unknown,
-    "light": Qt.ColorScheme.Light,
-    "dark": Qt.ColorScheme.Dark,
-}
 
 
 def prepare_qt() -> None:
@@ -82,11 +80,13 @@ class Studio(QObject):
         self.controller = Controller(self.session, self.window, self.files)
         self.desk = Desk(self.session, self.window, self.files, self.controller.edits, data, self)
         self.upkeep = Upkeep(self.window)
+        self.habits = Habits(self.controller, theme)
         self.loader = Loader(parent=self)
         self._dialogs: list[ReportDialog] = []
         self.loader.loaded.connect(self._on_loaded)
         self.loader.finished.connect(self.desk.offer_recovery)
         self.loader.failed.connect(self._on_failed)
+        self.loader.finished.connect(self.habits.keys.entries)
         self.window.first_painted.connect(self.loader.start)
         self.window.closing.connect(self._on_closing)
         theme.changed.connect(self._on_theme_changed)
@@ -157,9 +157,16 @@ class Studio(QObject):
         menu = self.window.commands.presets
         menu.setToolTipsVisible(True)
         for preset in PRESETS:
-            action = menu.addAction(preset.title)
-            action.setToolTip(preset.description)
+            action = menu.addAction(tr(preset.title))
+            action.setToolTip(tr(preset.description))
+            action.setStatusTip(tr(preset.description))
+            action.setProperty(TIP, tr(preset.description))
+            action.setObjectName(f"presets.{preset.key}")
             action.triggered.connect(lambda _checked=False, chosen=preset: self.files.open_preset(chosen))
+            reset = self.window.commands.resets.addAction(tr(preset.title))
+            reset.setObjectName(f"resets.{preset.key}")
+            reset.setStatusTip(tr(preset.description))
+            reset.triggered.connect(lambda _checked=False, chosen=preset: self.controller.edits.take_preset(chosen))
 
     def _connect_help(self) -> None:
         commands, clipboard = self.window.commands, QGuiApplication.clipboard()
@@ -167,7 +174,6 @@ class Studio(QObject):
         commands["diagnostics"].triggered.connect(lambda: clipboard.setText(self._diagnostics()))
         commands["copy_table"].triggered.connect(lambda: clipboard.setText(self.window.table.text_table()))
         commands["copy_derived"].triggered.connect(lambda: clipboard.setText(self.window.derived.text_table()))
-        commands.schemes.triggered.connect(lambda action: self._theme.choose(SCHEMES[action.data()]))
 
     def _show_about(self) -> None:
         words = (

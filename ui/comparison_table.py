@@ -13,7 +13,9 @@ from PySide6.QtWidgets import QAbstractItemView, QFrame, QHeaderView, QTableView
 from gearstudio.catalogue import METHOD_IDS, VARIANTS
 from ui.formatting import METHOD_TITLES, MINUS, VARIANT_TITLES, micrometres, seconds, settings_text, span
 from ui.session import Key, Session
+from ui.tables import table_text
 from ui.theme import tokens
+from ui.words import tr
 
 if TYPE_CHECKING:
     from gearstudio.results import VariantResult
@@ -82,9 +84,9 @@ class ComparisonModel(QAbstractTableModel):
         if orientation is not Qt.Orientation.Horizontal:
             return None
         if role == Qt.ItemDataRole.DisplayRole:
-            return ("Method", "Variant")[section] if section < FIRST else COLUMNS[section - FIRST].title
+            return (tr("Method"), tr("Variant"))[section] if section < FIRST else tr(COLUMNS[section - FIRST].title)
         if role == Qt.ItemDataRole.ToolTipRole and section >= FIRST:
-            return COLUMNS[section - FIRST].tip
+            return tr(COLUMNS[section - FIRST].tip)
         if role == Qt.ItemDataRole.TextAlignmentRole:
             return _alignment(section)
         return None
@@ -107,20 +109,20 @@ class ComparisonModel(QAbstractTableModel):
 
     def _text(self, key: Key, column: int) -> str:
         if column == METHOD:
-            return METHOD_TITLES[key.method]
+            return tr(METHOD_TITLES[key.method])
         if column == VARIANT:
-            return VARIANT_TITLES[key.variant]
+            return tr(VARIANT_TITLES[key.variant])
         session = self._session
         if column == SETTINGS and key in session.failures:
             return session.failures[key].message
         result = session.results.get(key)
         if column == SETTINGS and key not in session.current:
-            return "building…" if key == session.building else "updating…" if result else "waiting…"
+            return tr("building…") if key == session.building else tr("updating…") if result else tr("waiting…")
         return COLUMNS[column - FIRST].read(result) if result else "–"
 
     def _tip(self, key: Key, column: int) -> str | None:
         if key in self._session.failures:
-            return f"{self._session.failures[key].message}\nClick to see it in the view."
+            return f"{self._session.failures[key].message}\n{tr('Click to see it in the view.')}"
         return self._text(key, column) if column == SETTINGS else None
 
     def _brush(self, key: Key, column: int) -> QBrush | None:
@@ -135,7 +137,7 @@ class ComparisonModel(QAbstractTableModel):
 
 
 class ComparisonTable(QWidget):
-    """The table; a click on a row asks for that method and variant.
+    """The table; a click on a row asks for that method and variant, several rows can be chosen to copy them.
 
     Signals
     -------
@@ -178,10 +180,7 @@ class ComparisonTable(QWidget):
 
     def text_table(self) -> str:
         """The whole table as tab-separated text."""
-        columns = range(self.model.columnCount())
-        head = [self.model.headerData(column, Qt.Orientation.Horizontal) for column in columns]
-        body = [[self.model.data(self.model.index(row, column)) for column in columns] for row in range(6)]
-        return "\n".join("\t".join(cells) for cells in [head, *body])
+        return table_text(self.view)
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
@@ -202,20 +201,22 @@ class ComparisonTable(QWidget):
             self.view.setColumnWidth(column, width + CELL_PADDING)
 
     def _on_activated(self, index: QModelIndex) -> None:
-        self.row_chosen.emit(*self.model.rows[index.row()])
+        if len(self.view.selectionModel().selectedRows()) <= 1:
+            self.row_chosen.emit(*self.model.rows[index.row()])
 
 
 def _make_view(model: ComparisonModel) -> QTableView:
     view = QTableView()
     view.setModel(model)
     view.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
-    view.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
+    view.setSelectionMode(QAbstractItemView.SelectionMode.ContiguousSelection)
     view.setAlternatingRowColors(True)
     view.setShowGrid(False)
     view.setWordWrap(False)
     view.setTabKeyNavigation(False)
     view.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-    view.setAccessibleName("Comparison of all methods and variants")
+    view.setAccessibleName(tr("Comparison of all methods and variants"))
+    view.setToolTip(tr("A click shows this method and variant; Ctrl+C copies the rows chosen"))
     view.verticalHeader().hide()
     view.verticalHeader().setDefaultSectionSize(view.fontMetrics().height() + 9)
     header = view.horizontalHeader()

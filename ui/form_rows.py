@@ -61,7 +61,6 @@ class FieldRow(QWidget):
         layout.setContentsMargins(0, 0, 0, 0)
         layout.setHorizontalSpacing(6)
         layout.setVerticalSpacing(2)
-        layout.setColumnMinimumWidth(0, GUTTER)
         layout.addWidget(self.reset, 0, 0)
         layout.addWidget(self._label, 0, 1)
         wide = isinstance(self.field, ChoiceField | TextField)
@@ -70,6 +69,8 @@ class FieldRow(QWidget):
             layout.addWidget(self._unit, 0, 3)
         layout.addWidget(self._message, 1, 1, 1, 3)
         layout.setColumnStretch(2, 1)
+        if isinstance(self.field, NumberField):
+            self.field.editingFinished.connect(lambda: self.say(self._issues))
         self.show_units()
 
     @property
@@ -97,7 +98,7 @@ class FieldRow(QWidget):
         """Write problems under the field; without any, the value of a sum while it is typed."""
         self._issues = issues
         problem = self.field.problem if isinstance(self.field, NumberField) else ""
-        result = self.field.result_text if isinstance(self.field, NumberField) and self.field.hasFocus() else ""
+        result = self.field.result_text if isinstance(self.field, NumberField) else ""
         lines = [problem] if problem else [issue.message for issue in issues] or [result]
         self._message.setText("\n".join(filter(None, lines)))
         error = any(issue.severity == "error" for issue in issues)
@@ -171,6 +172,9 @@ class FieldRow(QWidget):
         button.setAutoRaise(True)
         button.setProperty("role", "gutter")
         button.setFixedSize(GUTTER, GUTTER)
+        policy = button.sizePolicy()
+        policy.setRetainSizeWhenHidden(True)
+        button.setSizePolicy(policy)
         button.setIconSize(QSize(12, 12))
         button.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         button.setAccessibleName(tr("Reset {field}", field=tr(self.spec.title)))

@@ -102,7 +102,6 @@ class MainWindow(QMainWindow):
     def refresh_theme(self) -> None:
         """Draw icons anew after the colours have changed."""
         self.commands.refresh_icons()
-        self.form.refresh_icons()
         self.messages.refresh_icons()
         refresh_icons(self)
         self.table.refresh()
@@ -233,7 +232,9 @@ class MainWindow(QMainWindow):
         self.analysis.tab_chosen.connect(lambda _tab: self._fit_analysis())
         self.analysis.expanded.connect(lambda on: self.area.setVisible(not on))
         for dock in self._docks:
-            self.commands.panels.addAction(dock.toggleViewAction())
+            action = dock.toggleViewAction()
+            action.setObjectName(f"panels.{dock.objectName()}")
+            self.commands.panels.addAction(action)
 
     def _dock(self, title: str, widget: QWidget) -> QDockWidget:
         dock = QDockWidget(title, self)

@@ -19,6 +19,7 @@ from PySide6.QtWidgets import (
 
 from ui.fields import set_severity
 from ui.theme import icon, set_icon
+from ui.words import tr
 
 
 class MessageBar(QFrame):
@@ -45,17 +46,21 @@ class MessageBar(QFrame):
         self._details = QPlainTextEdit()
         self._details.setReadOnly(True)
         self._details.setMaximumHeight(140)
-        self._more = _flat_button("Details")
+        self._more = _flat_button(tr("Details"))
+        self._more.setToolTip(tr("Show what else is known"))
         self._more.setCheckable(True)
         self._more.toggled.connect(self._details.setVisible)
-        self._copy = _flat_button("Copy")
+        self._copy = _flat_button(tr("Copy"))
+        self._copy.setToolTip(tr("Copy the message with its details"))
+        self._details.setAccessibleName(tr("Details of the message"))
+        self._details.setToolTip(tr("What else is known"))
         self._copy.clicked.connect(lambda: QGuiApplication.clipboard().setText(self._full))
         close = QToolButton()
         close.setProperty("role", "flat")
         set_icon(close, "close")
         close.setIconSize(QSize(14, 14))
-        close.setToolTip("Dismiss")
-        close.setAccessibleName("Dismiss")
+        close.setToolTip(tr("Dismiss"))
+        close.setAccessibleName(tr("Dismiss"))
         close.clicked.connect(self._on_dismissed)
         row = QHBoxLayout()
         row.setSpacing(8)
@@ -117,12 +122,16 @@ class ReportDialog(QDialog):
         head.setWordWrap(True)
         text = QPlainTextEdit(report)
         text.setReadOnly(True)
+        text.setAccessibleName(tr("Report"))
+        text.setToolTip(tr("Can be selected and copied"))
         text.setLineWrapMode(QPlainTextEdit.LineWrapMode.NoWrap)
         font = text.font()
         font.setFamilies(["Menlo", "Consolas", "DejaVu Sans Mono", "monospace"])
         text.setFont(font)
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
-        copy = buttons.addButton("Copy report", QDialogButtonBox.ButtonRole.ActionRole)
+        copy = buttons.addButton(tr("Copy report"), QDialogButtonBox.ButtonRole.ActionRole)
+        copy.setToolTip(tr("Copy all of the report"))
+        buttons.button(QDialogButtonBox.StandardButton.Close).setToolTip(tr("Close the report"))
         copy.clicked.connect(lambda: QGuiApplication.clipboard().setText(self.report))
         buttons.rejected.connect(self.reject)
         layout = QVBoxLayout(self)

@@ -11,11 +11,13 @@ from PySide6.QtWidgets import QButtonGroup, QFrame, QHBoxLayout, QPushButton, QS
 from gearstudio.catalogue import MEMBERS, METHOD_IDS, METHOD_INFOS, VARIANTS
 from ui.formatting import MEMBER_TITLES, METHOD_TITLES, VARIANT_TITLES
 from ui.session import ALL
+from ui.words import tr
 
 METHOD_TIPS = {
     ALL: "The three methods side by side, seen from the same place",
     **{info.id: f"{info.summary} ({info.paper_section} of the paper)" for info in METHOD_INFOS},
 }
+MEMBER_TIPS = {"pinion": "Show the pinion and build its flanks", "wheel": "Show the wheel and build its flanks"}
 VARIANT_TIPS = {
     "published": "The construction as printed: few positions, two profiles, 7 × 7 points",
     "optimised": "Refined until the expected deviation is below the tolerance",
@@ -37,7 +39,7 @@ class Segments(QFrame):
         super().__init__(parent)
         self.setProperty("role", "segments")
         self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
-        self.setAccessibleName(name)
+        self.setAccessibleName(tr(name))
         self._group = QButtonGroup(self)
         self._group.setExclusive(True)
         self._buttons: dict[str, QPushButton] = {}
@@ -49,8 +51,8 @@ class Segments(QFrame):
 
     def add(self, identifier: str, title: str, tip: str) -> None:
         """Append a choice."""
-        button = _BoldStableButton(title)
-        button.setToolTip(tip)
+        button = _BoldStableButton(tr(title))
+        button.setToolTip(tr(tip))
         button.clicked.connect(lambda _checked: self.chosen.emit(identifier))
         self._group.addButton(button)
         self._buttons[identifier] = button
@@ -105,9 +107,7 @@ class MethodBar(QWidget):
             "Method",
         )
         self.variants = Segments([(v, VARIANT_TITLES[v], VARIANT_TIPS[v]) for v in VARIANTS], "Variant")
-        self.members = Segments(
-            [(m, MEMBER_TITLES[m], f"Show the {m} and build its flanks") for m in MEMBERS], "Member"
-        )
+        self.members = Segments([(m, MEMBER_TITLES[m], MEMBER_TIPS[m]) for m in MEMBERS], "Member")
         self.methods.chosen.connect(self.method_chosen)
         self.variants.chosen.connect(self.variant_chosen)
         self.members.chosen.connect(self.member_chosen)

@@ -8,7 +8,6 @@ from itertools import groupby
 from typing import Any
 
 from PySide6.QtCore import Qt, QTimer, Signal
-from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QApplication, QFrame, QLabel, QLineEdit, QPushButton, QScrollArea, QVBoxLayout, QWidget
 
 from gearstudio.design import FieldSpec, field_specs
@@ -16,7 +15,6 @@ from gearstudio.errors import Issue
 from ui.fields import NumberField, TextField, set_severity
 from ui.form_rows import FieldRow
 from ui.form_section import Section
-from ui.theme import icon
 from ui.words import tr
 
 MINIMUM_WIDTH = 330
@@ -105,11 +103,6 @@ class ParameterForm(QWidget):
             row.show_changed(path in self._changed)
         self._mark_groups()
 
-    def show_units(self) -> None:
-        """Lengths are shown in another unit."""
-        for row in self.rows.values():
-            row.show_units()
-
     def show_issues(self, issues: Sequence[Issue]) -> None:
         """Frame the fields with problems; messages follow when the typing pauses."""
         found: dict[str, list[Issue]] = defaultdict(list)
@@ -178,14 +171,8 @@ class ParameterForm(QWidget):
         search.setAccessibleName(tr("Find a parameter"))
         search.setToolTip(tr("Words of title, symbol, description or group"))
         search.setClearButtonEnabled(True)
-        search.addAction(QAction(icon("search"), "", search), QLineEdit.ActionPosition.LeadingPosition)
         search.textChanged.connect(self.filter)
         return search
-
-    def refresh_icons(self) -> None:
-        """Draw the icon of the search in the theme's colour."""
-        for action in self.search.actions():
-            action.setIcon(icon("search"))
 
     def _make_scroll(self) -> QScrollArea:
         page = QWidget()

@@ -8,8 +8,10 @@ from PySide6.QtCore import Signal
 from PySide6.QtGui import QColor, QPainter, QPaintEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QProgressBar, QPushButton, QSizePolicy, QStatusBar, QWidget
 
-from ui.formatting import fixed, micrometres
+from ui.formatting import micrometres
 from ui.theme import tokens
+from ui.units import spaced, value_text, with_unit
+from ui.words import tr
 
 if TYPE_CHECKING:
     from ui.picking import Hover
@@ -39,19 +41,20 @@ class Status(QStatusBar):
         self.setContentsMargins(8, 0, 8, 0)
         self._point = QLabel()
         self._point.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
-        self._point.setToolTip("The point of the flank under the pointer")
+        self._point.setToolTip(tr("The point of the flank under the pointer"))
         self._stage = QLabel()
         self._stage.setProperty("role", "muted")
         self._bar = QProgressBar()
         self._bar.setTextVisible(False)
         self._bar.setFixedWidth(130)
         self._bar.setRange(0, 1000)
-        self._cancel = QPushButton("Cancel")
+        self._cancel = QPushButton(tr("Cancel"))
         self._cancel.setProperty("role", "flat")
-        self._cancel.setToolTip("Stop the work in progress (Esc)")
+        self._cancel.setToolTip(tr("Stop the work in progress (Esc)"))
         self._cancel.clicked.connect(self.cancel_requested)
         self._dot = Dot()
         self._worker = QLabel()
+        self._worker.setToolTip(tr("The process that builds flanks and solids"))
         self.addWidget(self._point, 1)
         self._work = _row(self._stage, self._bar, self._cancel)
         self.addPermanentWidget(self._work)
@@ -63,7 +66,7 @@ class Status(QStatusBar):
     def show_worker(self, state: str) -> None:
         """State of the CAD process, one of `WORKER_STATES`."""
         text, color = WORKER_STATES[state]
-        self._worker.setText(text)
+        self._worker.setText(tr(text))
         self._dot.set_color(color)
 
     def show_work(self, text: str | None, fraction: float = 0.0) -> None:
@@ -76,6 +79,10 @@ class Status(QStatusBar):
     def show_hover(self, hover: Hover | None) -> None:
         """The read-out of the point under the pointer."""
         self._point.setText("" if hover is None else hover_text(hover))
+
+    def show_units(self) -> None:
+        """The read-out waits for the next point."""
+        self.show_hover(None)
 
 
 class Dot(QWidget):
@@ -101,10 +108,11 @@ class Dot(QWidget):
 
 def hover_text(hover: Hover) -> str:
     """The read-out of a point: flank, coordinates, cone distance, polar angle, deviation."""
-    x, y, z = (fixed(value, 3) for value in hover.xyz)
-    parts = [hover.flank, f"x {x}  y {y}  z {z} mm", f"ρ {fixed(hover.rho, 3)} mm", f"δ {fixed(hover.delta_deg, 3)}°"]
+    x, y, z = (value_text(value, "mm") for value in hover.xyz)
+    rho, delta = with_unit(hover.rho, "mm"), with_unit(hover.delta_deg, "°")
+    parts = [tr(hover.flank), f"x {x}  y {y}  z {z}{spaced('mm')}", f"ρ {rho}", f"δ {delta}"]
     if hover.deviation_um is not None:
-        parts.append(f"deviation {micrometres(hover.deviation_um)}")
+        parts.append(tr("deviation {value}", value=micrometres(hover.deviation_um)))
     return "    ".join(parts)
 
 

@@ -69,8 +69,8 @@ def from_shown(value: float, unit: str) -> float:
 
 
 def shown_text(value: float, unit: str) -> str:
-    """A value of the design as the user would type it, in the unit shown, without the unit."""
-    return number_text(to_shown(value, unit))
+    """A value of the design as the user would type it, in the unit shown, without the unit; in inches to 8 digits."""
+    return number_text(value) if factor(unit) == 1 else f"{to_shown(value, unit):.8g}"
 
 
 def value_text(value: float, unit: str, decimals: int = 3) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from html import escape
 from typing import TYPE_CHECKING
@@ -21,11 +22,13 @@ from PySide6.QtWidgets import (
 )
 
 from ui.formatting import MINUS
+from ui.units import unit_shown, value_text
 
 if TYPE_CHECKING:
     from gearstudio.analysis.datasheet import DataSheet, Quantity
 
 RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+DECIMALS = {"mm": 4, "°": 5}
 LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
 HEADS = ("Quantity", "Symbol", "Pinion", "Wheel", "Unit")
 
@@ -34,6 +37,13 @@ def lowered(symbol: str) -> str:
     """A symbol or formula as rich text: all that follows an underscore is an index."""
     numbered = re.sub(r"(?<!\w)([^\W\d_])([12])(?!\w)", r"\1<sub>\2</sub>", escape(symbol))
     return re.sub(r"_(\w+)", r"<sub>\1</sub>", numbered)
+
+
+def shown_value(quantity: Quantity) -> str:
+    """A value in the unit shown; with as many digits as the sheet has, unless the user chose."""
+    if quantity.unit in DECIMALS and math.isfinite(quantity.value):
+        return value_text(quantity.value, quantity.unit, DECIMALS[quantity.unit])
+    return quantity.text.replace("-", MINUS)
 
 
 class IndexDelegate(QStyledItemDelegate):
@@ -129,12 +139,18 @@ class SheetTable(QWidget):
             self._arrange(lines)
         for row, line in zip(self._lines, lines, strict=True):
             self._lines[row] = line
-            for column, quantity in enumerate(line, start=2):
-                self.table.item(row, column).setText(quantity.text.replace("-", MINUS))
+        self.show_units()
         if self.table.currentRow() in self._lines:
             self._tell(self.table.currentRow())
         else:
             self.table.selectRow(next(iter(self._lines)))
+
+    def show_units(self) -> None:
+        """Show the same values in the unit that the user chose now."""
+        for row, line in self._lines.items():
+            for column, quantity in enumerate(line, start=2):
+                self.table.item(row, column).setText(shown_value(quantity))
+            self.table.item(row, 4).setText(unit_shown(line[0].unit))
 
     def choose(self, key: str) -> None:
         """Go to the row of a quantity."""
