@@ -112,3 +112,43 @@ def _with_cutter(design: Design, share: float) -> Design:
     assume(least < most)
     lengthwise = design.lengthwise.model_copy(update={"cutter_radius": least * (most / least) ** share})
     return design.model_copy(update={"lengthwise": lengthwise})
+
+
+@st.composite
+def modified_designs(draw: st.DrawFn) -> Design:
+    """A design of `designs` with micro-geometry on some flanks, in proportion to the module up to what is permitted."""
+    design = draw(designs())
+    wild = {
+        member: {name: draw(_flank_modifications(design.pair.outer_module)) for name in ("concave", "convex")}
+        for member in ("pinion", "wheel")
+    }
+    for share in (1.0, 0.3, 0.1, 0.03, 0.01):
+        modifications = {
+            member: {
+                name: {key: value * share if key.endswith("_um") else value for key, value in fields.items()}
+                for name, fields in flanks.items()
+            }
+            for member, flanks in wild.items()
+        }
+        modified = Design.model_validate({**design.model_dump(), "modifications": modifications})
+        if is_valid(modified):
+            return modified
+    assume(False)
+    raise AssertionError("not reached")
+
+
+@st.composite
+def _flank_modifications(draw: st.DrawFn, module: float) -> dict[str, float]:
+    most = min(30.0 * module, 1000.0)
+    either = [
+        "lengthwise_crowning_um",
+        "profile_crowning_um",
+        "spiral_angle_correction_um",
+        "pressure_angle_correction_um",
+        "bias_um",
+    ]
+    chosen = {key: draw(between(-most, most)) for key in either if draw(st.booleans())}
+    for amount, place in (("tip_relief_um", "tip_relief_start"), ("root_relief_um", "root_relief_end")):
+        if draw(st.booleans()):
+            chosen |= {amount: draw(between(0.0, most)), place: draw(between(0.05, 0.95))}
+    return chosen

@@ -10,10 +10,11 @@ from gearstudio.design import Design
 from gearstudio.errors import GeometryError, Issue
 from gearstudio.validation.mesh_rules import MESH_RULES
 from gearstudio.validation.pair_rules import PAIR_RULES
+from gearstudio.validation.relief_rules import RELIEF_RULES
 from gearstudio.validation.rule import Rule
 from gearstudio.validation.tooth_rules import TOOTH_RULES
 
-RULES: tuple[Rule, ...] = (*PAIR_RULES, *TOOTH_RULES, *MESH_RULES)
+RULES: tuple[Rule, ...] = (*PAIR_RULES, *TOOTH_RULES, *RELIEF_RULES, *MESH_RULES)
 
 
 def broken_rules(design: Design, unusable: frozenset[str]) -> list[Issue]:
