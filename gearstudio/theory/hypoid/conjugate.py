@@ -8,6 +8,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from gearstudio.errors import GeometryError
 from gearstudio.theory.cones import MemberGeometry
 from gearstudio.theory.flank import FlankName, InvoluteFlank
 from gearstudio.theory.hypoid.edge import StartOfContact, start_of_contact
@@ -21,7 +22,7 @@ Floats = NDArray[np.float64]
 _FOOT_POINT_STEPS = 8
 _FOOT_POINT_ACCURACY = 1e-12
 _STEP = 2e-3
-_BEYOND = 0.25
+_BEYOND, _BELOW = 0.25, 0.05
 
 
 @dataclass(frozen=True)
@@ -146,7 +147,7 @@ class ConjugateFlank:
         return self.swept.locate(points)
 
     def natural(self, points: ArrayLike) -> tuple[Floats, Floats]:
-        """Natural coordinates of the flank at points on or near it; not beyond the start of contact, (...) each."""
+        """Natural coordinates of the flank at points on or near it, (...) each."""
         rho, delta, _ = self.locate(points)
         return self._generating(*self._within(rho, delta))
 
@@ -161,8 +162,7 @@ class ConjugateFlank:
         Returns
         -------
         ndarray, shape (...)
-            e [mm]: the foot point is iterated. Below the start of contact and far beyond the other edges the
-            flank is continued by its tangent planes.
+            e [mm]: the foot point is iterated. Far beyond its edges the flank is continued by its tangent planes.
         """
         points = np.asarray(points, dtype=np.float64)
         moved, gap = points, np.zeros(points.shape[:-1])
@@ -189,6 +189,15 @@ class ConjugateFlank:
     def _start(self) -> StartOfContact:
         return start_of_contact(self.envelope, self.member, self.raised)
 
+    @cached_property
+    def _below(self) -> float:
+        """Share of the height by which the flank is regular, and taken for granted, below its lower edge."""
+        try:
+            made = self.envelope.at(*self.coordinates(-_BELOW, np.linspace(0.0, 1.0, 9)))
+        except GeometryError:
+            return 0.0
+        return _BELOW if np.all(made.area_ratio > 0) else 0.0
+
     def _end_distance(self, v: Floats) -> Floats:
         return np.asarray(self.member.inner_cone_distance + v * self.member.face_width)
 
@@ -197,11 +206,11 @@ class ConjugateFlank:
         return generating_point(self.envelope, rho, delta, lengthwise.mean_cone_distance, self.member.pitch_angle)
 
     def _within(self, rho: Floats, delta: Floats) -> tuple[Floats, Floats]:
-        """The nearest place not below the start of contact and not far beyond the other edges."""
+        """The nearest place not far beyond the edges."""
         m = self.member
         v = np.clip((m.end_distance(rho, delta) - m.inner_cone_distance) / m.face_width, -_BEYOND, 1 + _BEYOND)
         low, high = self.limits(v)
-        delta = np.clip(delta, low, high + _BEYOND * (high - low))
+        delta = np.clip(delta, low - self._below * (high - low), high + _BEYOND * (high - low))
         return m.cone_distance(self._end_distance(v), delta), delta
 
 

@@ -21,6 +21,7 @@ MEMBERS: tuple[MemberName, MemberName] = ("pinion", "wheel")
 
 _STEP = 0.02
 _STEP_DEG, _STEEPEST_DEG = 2.5, 30.0
+_RAISED = (3.0, 2.5, 2.25, 2.0, 1.75, 1.5, 1.25, 1.0, 0.75, 0.5, 0.25)
 _SHALLOWER = (0.9, 0.8, 0.7, 0.6)
 _COARSE = (0.5, 0.4, 0.35, 0.3, 0.25, 0.2, 0.1)
 
@@ -41,15 +42,19 @@ def sound_pinion_flank(pair: HypoidPair, name: FlankName, raised: float = 0.0) -
 
 
 def deepest(pair: HypoidPair, side: int) -> float:
-    """How far the flank can go on below the start of contact and stay regular, as `ConjugateFlank.raised` [mm].
+    """How far the flank can go on below the start of contact, as `ConjugateFlank.raised` [mm].
 
-    At most the clearance, where it reaches the root.
+    It stays regular and above the pinion's root cone; 0 where it can go no further.
     """
-    shares = np.linspace(1.0, 0.0, 9)
-    for share in shares:
-        raised = float(share) * pair.depth.clearance
+    v = np.linspace(0.0, 1.0, 9)
+    for share in _RAISED:
+        raised = share * pair.depth.clearance
         if _trouble(pair, side, raised) is None:
-            return raised
+            flank = pinion_flank(pair, pair.flank_name("pinion", side), raised)
+            m = flank.member
+            root = m.limit_angle(m.root_limit, m.inner_cone_distance + v * m.face_width)
+            if np.all(flank.limits(v)[0] > root):
+                return raised
     return 0.0
 
 
