@@ -62,7 +62,8 @@ COMMANDS = (
     Command("recover", "Reco&ver unsaved work…", "Look for edits that a window which ended unexpectedly had not saved"),
     Command("compare_design", "Co&mpare with design…", "Parameters and derived values beside those of another design"),
     Command("export", "&Export…", "Write flanks, teeth, gears or the pair for other programs", "Ctrl+E", "export"),
-    Command("screenshot", "S&creenshot…", "Save a picture of the window", "F12", "camera"),
+    Command("screenshot", "Pi&cture…", "Save or copy a picture of the views or the window", "F12", "camera"),
+    Command("film", "&Film…", "Save a turntable, the pair in mesh or the rolling plane as MP4 or GIF", "Shift+F12"),
     Command("display", "&Display panel", "Colours, surface quality, cameras and ground of the views", "Ctrl+D", "sliders"),
     Command("full_screen", "&Full screen", "The window alone on the screen, and back", "F11"),
     Command("quit", "&Quit", "", Keys.Quit),
@@ -206,7 +207,7 @@ class Actions(QObject):
         start = ("new", "new_window", "open")
         keep = ("", "save", "save_as", "backups", "recover", "", "compare_design", "")
         plan: tuple[tuple[str, tuple[str | QMenu, ...]], ...] = (
-            ("&File", (*start, self.recent, self.presets, *keep, "export", "screenshot", "", "quit")),
+            ("&File", (*start, self.recent, self.presets, *keep, "export", "screenshot", "film", "", "quit")),
             ("&Edit", ("undo", "redo", "", *EDIT)),
         )
         for title, items in plan:

@@ -99,6 +99,13 @@ class ColorBar(QWidget):
         self._tell()
         self.update()
 
+    def show_like(self, other: ColorBar) -> None:
+        """Be a copy of another scale, for a picture: its range stays, and the button is gone."""
+        self._image, self._unit, self._quantity = other._image, other._unit, other._quantity
+        self._extent, self._automatic = other._extent, other._automatic
+        self._range = other._range
+        self._auto.hide()
+
     def set_data_limit(self, largest_um: float) -> None:
         """Tell the largest absolute deviation shown [µm]."""
         limit = colormap.nice_limit(largest_um)
@@ -188,7 +195,8 @@ class ColorBar(QWidget):
     def _bar(self) -> QRectF:
         line = QFontMetricsF(self.font()).height()
         top = 1.9 * line + _POINT
-        bottom = self._auto.geometry().top() - 0.9 * line - _POINT / 2
+        below = self._auto.geometry().top() if not self._auto.isHidden() else self.height() - line
+        bottom = below - 0.9 * line - _POINT / 2
         return QRectF(_PAD, top, BAR_WIDTH, max(bottom - top, 20.0))
 
     def paintEvent(self, event: QPaintEvent) -> None:

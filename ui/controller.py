@@ -50,7 +50,7 @@ class Controller(QObject):
         self.analysis = AnalysisPresenter(session, window.analysis, self)
         self.blanks = Blanks(session, window.form, self)
         self.solid_mode = SolidMode(session, window, self.presenter, self)
-        self.display = Display(window, self.presenter, self)
+        self.display = Display(session, window, self.presenter, self.solid_mode, self)
         self.runner: JobRunner | None = None
         self._connect_form()
         self._connect_selection()
@@ -153,7 +153,8 @@ class Controller(QObject):
             "save": files.save,
             "save_as": files.save_as,
             "export": files.export,
-            "screenshot": files.screenshot,
+            "screenshot": self.display.take_picture,
+            "film": self.display.make_film,
             "quit": window.close,
             "build_gear": lambda: self.solid_mode.build("gear"),
             "build_pair": lambda: self.solid_mode.build("pair"),

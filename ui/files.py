@@ -1,4 +1,4 @@
-"""Design files, exports and screenshots: the dialogs around them, and what can go wrong."""
+"""Design files and exports: the dialogs around them, and what can go wrong."""
 
 from __future__ import annotations
 
@@ -172,21 +172,6 @@ class Files(QObject):
             job = dialog.job()
             self._folder = str(job.directory)
             self.export_requested.emit(job)
-
-    def screenshot(self) -> None:
-        """Save a picture of the window."""
-        from ui.screenshot import window_image
-
-        picture = window_image(self._window)
-        start = str(Path(self._folder) / "gearstudio.png")
-        name, _ = QFileDialog.getSaveFileName(self._window, "Save screenshot", start, "Pictures (*.png *.jpg)")
-        if not name:
-            return
-        path = Path(name) if Path(name).suffix else Path(name + ".png")
-        if picture.save(str(path)):
-            self._window.messages.show_message("info", f"Saved the picture as {path}", topic="file")
-        else:
-            self._window.messages.show_message("error", f"The picture could not be written to {path}", topic="file")
 
     def _take(self, design: Design, path: Path | None, way: str = "write", saved: bool = True) -> None:
         self._window.messages.clear("file")

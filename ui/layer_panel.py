@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QPoint, QPointF, QRectF, QSignalBlocker, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QPainter, QPainterPath, QPaintEvent, QPen
-from PySide6.QtWidgets import QCheckBox, QFrame, QHBoxLayout, QScrollArea, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QCheckBox, QHBoxLayout, QVBoxLayout, QWidget
 
+from ui.card import ScrollCard
 from ui.method_bar import Segments
 from ui.theme import tokens
 from ui.words import tr
@@ -41,21 +42,8 @@ class LayerPanel(QWidget):
         self._swatches: dict[str, LayerSwatch] = {}
         self._sets: dict[str, frozenset[str]] = {}
         self.sets = Segments((), "Set of layers")
-        page = QWidget()
-        page.setProperty("role", "page")
-        self._rows = QVBoxLayout(page)
-        self._rows.setContentsMargins(12, 8, 10, 8)
-        self._rows.setSpacing(7)
-        scroll = QScrollArea()
-        scroll.setWidgetResizable(True)
-        scroll.setFrameShape(QFrame.Shape.NoFrame)
-        scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        scroll.setWidget(page)
-        card = QFrame()
-        card.setProperty("role", "card")
-        inside = QVBoxLayout(card)
-        inside.setContentsMargins(1, 2, 1, 2)
-        inside.addWidget(scroll)
+        card = ScrollCard((12, 8, 10, 8))
+        self._rows = card.rows
         layout = QVBoxLayout(self)
         layout.setContentsMargins(2, 0, 8, 4)
         layout.setSpacing(6)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, QTimer, Slot
@@ -33,9 +33,19 @@ def view_subtitle(session: Session, key: Key) -> str:
     if key in session.failures:
         return session.failures[key].message
     if result is not None:
-        largest, mean = micrometres(result.statistics.max_um), micrometres(result.statistics.mean_um)
-        return f"max {largest} · mean {mean}" if key in session.current else f"updating… (max was {largest})"
+        largest = micrometres(result.statistics.max_um)
+        return result_words(result) if key in session.current else f"updating… (max was {largest})"
     return "building…" if key == session.building else "waiting for the CAD kernel…"
+
+
+def result_words(result: VariantResult) -> str:
+    """The deviation of a result in a few words."""
+    return f"max {micrometres(result.statistics.max_um)} · mean {micrometres(result.statistics.mean_um)}"
+
+
+def largest_of(results: Iterable[VariantResult]) -> float:
+    """The largest deviation [µm] of several results."""
+    return max(result.statistics.max_um for result in results)
 
 
 class Presenter(QObject):
@@ -124,7 +134,7 @@ class Presenter(QObject):
         from ui.views.quantities import quantity_of, typical_range
 
         if quantity_of(grid.appearance).is_deviation:
-            bar.set_data_limit(max(self._session.results[key].statistics.max_um for key in dressed))
+            bar.set_data_limit(largest_of(self._session.results[key] for key in dressed))
             return
         values = [layer.scalars for one in dressed.values() for layer in one.layers if layer.scalars is not None]
         found = typical_range(quantity_of(grid.appearance), values)

@@ -87,6 +87,11 @@ class SolidView:
         self.grid.store.cut(None)
 
     @property
+    def angle(self) -> float:
+        """How far the pinion has turned [rad]."""
+        return self._turn
+
+    @property
     def turns(self) -> dict[str, np.ndarray]:
         """Rotation of each member from where its layers put it."""
         if self._pair is None or not self.in_mesh:

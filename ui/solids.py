@@ -188,7 +188,7 @@ class Solids(QObject):
         self._awaited.pop(key, None)
         self._to_mesh[key] = (job.design, result)  # type: ignore[attr-defined]
         waiting = dict(self._to_mesh)
-        self._mesher.request(waiting, lambda: {k: _meshed(*made) for k, made in waiting.items()})
+        self._mesher.request(waiting, lambda: {k: meshed(*made) for k, made in waiting.items()})
         self.changed.emit()
 
     def _on_meshed(self, waiting: dict[Key, tuple[Design, SolidResult]], made: dict[Key, Built]) -> None:
@@ -239,7 +239,8 @@ def replace_name(design: Design, name: str) -> Design:
     return design.model_copy(update={"name": name})
 
 
-def _meshed(design: Design, result: SolidResult) -> Built:
+def meshed(design: Design, result: SolidResult) -> Built:
+    """A solid with its meshes, fine and coarse."""
     from gearstudio.theory.cones import pair_geometry
     from ui.solid_layers import PlacedGear
     from ui.solid_scene import COARSE, FINE, gear_mesh

@@ -76,7 +76,7 @@ class ViewGrid(QWidget):
         self.pointing = Pointing(self)
         self.pointing.hovered.connect(self.hovered)
         self.pointing.picked.connect(self.picked)
-        self.viewport.camera_changed.connect(self._on_camera_changed)
+        self.viewport.camera_changed.connect(self.follow_cameras)
         self.viewport.double_clicked.connect(self._on_double_clicked)
         self.viewport.drawing.connect(self._on_drawing)
         self.set_theme(False)
@@ -97,7 +97,7 @@ class ViewGrid(QWidget):
         self.pointing.clear()
         self._refresh()
         self._follow(forced=count == 0)
-        self._on_camera_changed()
+        self.follow_cameras()
         self.place_overlays()
 
     def update_layers(self, layers: Sequence[Layer]) -> None:
@@ -169,7 +169,7 @@ class ViewGrid(QWidget):
             self.set_theme(self._dark)
         if before.edges != appearance.edges:
             self._refresh()
-        self._on_camera_changed()
+        self.follow_cameras()
         self.place_overlays()
         self.viewport.update()
 
@@ -227,7 +227,7 @@ class ViewGrid(QWidget):
                 focus = replace(focus, points=np.concatenate(seen))
             pane = self.viewport.active
             self.viewport.set_camera(view(name, focus, self.viewport.aspect, self.viewport.look), pane)
-            self._on_camera_changed()
+            self.follow_cameras()
         self.view_changed.emit(name)
 
     def keep_view(self) -> tuple[Camera, str]:
@@ -238,7 +238,7 @@ class ViewGrid(QWidget):
         """Look from there again."""
         look, self._view = kept
         self.viewport.set_camera(replace(look, parallel=self.appearance.parallel))
-        self._on_camera_changed()
+        self.follow_cameras()
 
     def _follow(self, forced: bool) -> None:
         """Aim the camera again when there is another gear to look at."""
@@ -255,7 +255,8 @@ class ViewGrid(QWidget):
         self.store.set_coarse(hurried)
         self.store.aim_stripes(self.viewport.looks)
 
-    def _on_camera_changed(self) -> None:
+    def follow_cameras(self) -> None:
+        """Let axes, scales and markers follow the cameras."""
         self.overlays.follow(self.viewport, max(len(self._panels), 1))
         self.place_markers()
 
@@ -266,7 +267,7 @@ class ViewGrid(QWidget):
             hit = self.pointing.first(surfaces, pane, x, y)
             if hit is not None:
                 self.viewport.set_camera(self.viewport.looks[pane].centred(hit.point), pane)
-                self._on_camera_changed()
+                self.follow_cameras()
 
     # ---- overlays ------------------------------------------------------------------------------------
 

@@ -52,6 +52,7 @@ class Viewport(Panes, QtInteractor):  # type: ignore[misc]
     clicked = Signal(object)
     double_clicked = Signal(object)
     drawing = Signal(bool)
+    _resizing = False
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent, shape=(1, PANES), border=False, multi_samples=0, auto_update=False)
@@ -82,6 +83,8 @@ class Viewport(Panes, QtInteractor):  # type: ignore[misc]
         self.ren_win.SetMultiSamples(0 if self.software else 4)
 
     def paintGL(self) -> None:
+        if self._resizing:
+            return
         start = perf_counter()
         self._prepare()
         super().paintGL()
@@ -193,5 +196,11 @@ class Viewport(Panes, QtInteractor):  # type: ignore[misc]
         self._forget_context()  # its wrappers would outlive what they stand for
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        super().resizeEvent(event)
+        """Qt paints here at once, also at sizes that are never seen while panels come and go; leave it for later."""
+        self._resizing = True
+        try:
+            super().resizeEvent(event)
+        finally:
+            self._resizing = False
+        self.update()
         self.camera_changed.emit()

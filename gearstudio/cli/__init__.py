@@ -9,6 +9,7 @@ from collections.abc import Sequence
 
 from gearstudio.cli.output import problem
 from gearstudio.cli.parser import COMMANDS, make_parser, nearest_command
+from gearstudio.cli.screenshot import TakePicture
 from gearstudio.errors import DesignError, FileError, GearStudioError
 from gearstudio.files import log_failure
 
@@ -17,13 +18,15 @@ __all__ = ["COMMANDS", "main", "nearest_command"]
 DONE, OUR_FAILURE, UNUSABLE_INPUT, INTERRUPTED = 0, 1, 2, 130
 
 
-def main(argv: Sequence[str]) -> int:
+def main(argv: Sequence[str], take_picture: TakePicture | None = None) -> int:
     """Carry out one command.
 
     Parameters
     ----------
     argv : sequence of str
         The command and its arguments, without the program's name.
+    take_picture : callable, optional
+        Carries out ``screenshot``; who may import the part that draws hands it in.
 
     Returns
     -------
@@ -33,7 +36,7 @@ def main(argv: Sequence[str]) -> int:
     """
     _never_fail_at_printing()
     try:
-        args = make_parser().parse_args(argv)
+        args = make_parser(take_picture).parse_args(argv)
         status = int(args.run(args))
         sys.stdout.flush()
     except SystemExit as end:

@@ -29,10 +29,10 @@ PAIR_KEYS = tuple(Key(member, "rotating_line", "optimised") for member in ("pini
 
 @pytest.fixture(scope="module")
 def built():
-    from ui.solids import _meshed
+    from ui.solids import meshed
 
     design = Design()
-    return {key: _meshed(design, solid_of(design, key.member)) for key in PAIR_KEYS}
+    return {key: meshed(design, solid_of(design, key.member)) for key in PAIR_KEYS}
 
 
 @pytest.fixture

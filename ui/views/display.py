@@ -4,14 +4,19 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QObject, QTimer
+from PySide6.QtCore import QObject, QStandardPaths, QTimer
+
+from ui.views.picks import Picks
 
 if TYPE_CHECKING:
     from ui.main_window import MainWindow
     from ui.presenter import Presenter
+    from ui.session import Session
+    from ui.solid_mode import SolidMode
     from ui.view_grid import ViewGrid
     from ui.views.appearance import Appearance, LayerLook
     from ui.views.display_panel import DisplayPanel
+    from ui.views.motions import Motion
 
 SETTING, OPEN_SETTING = "views/appearance", "views/panel"
 _REMEMBER_MS = 400
@@ -20,13 +25,17 @@ _REMEMBER_MS = 400
 class Display(QObject):
     """Everything about the views that is no matter of the design."""
 
-    def __init__(self, window: MainWindow, presenter: Presenter, parent: QObject) -> None:
+    def __init__(
+        self, session: Session, window: MainWindow, presenter: Presenter, solid_mode: SolidMode, parent: QObject
+    ) -> None:
         super().__init__(parent)
-        self._window, self._presenter = window, presenter
+        self._session, self._window = session, window
+        self._presenter, self._solid_mode = presenter, solid_mode
         self.panel: DisplayPanel | None = None
         self._grid: ViewGrid | None = None
         self._remember = QTimer(self, singleShot=True, interval=_REMEMBER_MS)
         self._remember.timeout.connect(self._save)
+        self.picks = Picks(session, window, self)
         self._action = window.commands["display"]
         self._action.setCheckable(True)
         self._action.setEnabled(False)
@@ -50,6 +59,7 @@ class Display(QObject):
         self.panel.hide()
         area.add_panel(self.panel)
         area.grid.visible_changed.connect(self._presenter.redraw_soon)
+        self.picks.views_ready()
         self._action.setEnabled(True)
         if settings is not None:
             self._action.setChecked(settings.value(OPEN_SETTING) in (True, "true"))
@@ -66,7 +76,36 @@ class Display(QObject):
         area.color_bar.show_scale(quantity_of(appearance), appearance.colors, appearance.steps, appearance.unit)
         self._window.layer_panel.show_looks(appearance.looks)
         self._presenter.redraw_soon()
+        self.picks.show_appearance(appearance)
         self._remember.start()
+
+    def take_picture(self) -> None:
+        """Ask what kind of picture, and take it."""
+        if self._grid is not None:
+            from ui.views.picture_dialog import PictureDialog
+
+            PictureDialog(self._window, self._folder()).open()
+
+    def make_film(self) -> None:
+        """Ask what moves, and film it."""
+        if self._grid is not None:
+            from ui.views.film_dialog import FilmDialog
+
+            FilmDialog(self._window, self._folder(), self._motions()).open()
+
+    def _folder(self) -> str:
+        return QStandardPaths.writableLocation(QStandardPaths.StandardLocation.PicturesLocation)
+
+    def _motions(self) -> tuple[Motion, ...]:
+        from ui.views.motions import meshing, rolling, turntable
+
+        solid, session = self._solid_mode, self._session
+        found = [turntable()]
+        if solid.mode == "pair" and solid.view is not None and session.pair is not None and solid.view.gears:
+            found.append(meshing(session.pair, solid.view))
+        if solid.mode == "flanks" and session.pair is not None:
+            found.append(rolling(session.pair.member(session.member), self._presenter.flank))
+        return tuple(found)
 
     def _on_look_changed(self, layer_id: str, look: LayerLook) -> None:
         if self._grid is not None:

@@ -1,0 +1,160 @@
+"""The card of a picked point: where it is, and what every method and theory are like there."""
+
+from __future__ import annotations
+
+from html import escape
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QEvent, QObject, Qt, Signal
+from PySide6.QtGui import QGuiApplication
+from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QToolButton, QVBoxLayout, QWidget
+
+from gearstudio.catalogue import METHOD_IDS, VARIANTS
+from ui import colormap, units
+from ui.formatting import METHOD_TITLES, VARIANT_TITLES, fixed
+from ui.session import Key
+from ui.theme import set_icon
+from ui.views.quantities import CURVATURES, Quantity
+from ui.words import tr
+
+if TYPE_CHECKING:
+    from gearstudio.analysis.probe import Curvature
+    from ui.picking import Hover
+    from ui.views.picks import PickedValues
+
+MARGIN = 10
+_SYMBOLS = {"gaussian": "K", "mean": "H", "largest": "κ₁", "smallest": "κ₂"}
+
+
+class PickCard(QFrame):
+    """Lies in the lower right corner of the views.
+
+    Signals
+    -------
+    close_wanted()
+    """
+
+    close_wanted = Signal()
+
+    def __init__(self, parent: QWidget) -> None:
+        super().__init__(parent)
+        self.setProperty("role", "card")
+        self.setAccessibleName(tr("Values at the picked point"))
+        self._unit = "auto"
+        self._shown: tuple[Hover, PickedValues] | None = None
+        self._title, self._table = QLabel(), QLabel()
+        self._title.setTextFormat(Qt.TextFormat.RichText)
+        self._table.setTextFormat(Qt.TextFormat.RichText)
+        self._table.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        copy = self._button("copy", tr("Copy the values as a table"), self._copy)
+        close = self._button("close", tr("Take the marker away (Esc)"), self.close_wanted.emit)
+        head = QHBoxLayout()
+        head.setSpacing(2)
+        head.addWidget(self._title, 1)
+        head.addWidget(copy)
+        head.addWidget(close)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(10, 5, 6, 7)
+        layout.setSpacing(3)
+        layout.addLayout(head)
+        layout.addWidget(self._table)
+        parent.installEventFilter(self)
+        self.hide()
+
+    @property
+    def keys(self) -> tuple[Key, ...]:
+        """The results whose values are shown."""
+        return () if self._shown is None else tuple(self._shown[1].found)
+
+    def set_unit(self, unit: str) -> None:
+        """Show deviations in another unit."""
+        if unit != self._unit:
+            self._unit = unit
+            self._fill()
+
+    def show_values(self, pin: Hover, values: PickedValues) -> None:
+        """Show what was found at a point."""
+        self._shown = pin, values
+        self._fill()
+        self.show()
+        self.raise_()
+
+    def rows(self) -> list[list[str]]:
+        """The table: a heading, then a row for each method and variant, then theory."""
+        if self._shown is None:
+            return []
+        _, values = self._shown
+        scales = [_scale(values, name) for name, _, _ in CURVATURES]
+        heading = [tr("Method"), tr("Deviation"), *(f"{_SYMBOLS[name]} [{unit}]" for name, unit, _ in scales)]
+        made = [heading]
+        for key in sorted(values.found, key=_order):
+            one = values.found[key]
+            name = f"{METHOD_TITLES[key.method]}, {VARIANT_TITLES[key.variant].lower()}"
+            deviation = "–" if one is None else colormap.deviation_text(one.deviation_um, unit=self._unit)
+            made.append([name, deviation, *_numbers(None if one is None else one.curvature, scales)])
+        return [*made, [tr("Theory"), "0", *_numbers(values.theory, scales)]]
+
+    def where(self) -> str:
+        """The place in words."""
+        if self._shown is None:
+            return ""
+        pin, values = self._shown
+        return (
+            f"{tr(pin.flank)}   ρ {units.with_unit(pin.rho, 'mm', 4)}   δ {fixed(pin.delta_deg, 4)}°"
+            f"   φ {fixed(values.azimuth_deg, 4)}°"
+        )
+
+    def _fill(self) -> None:
+        self._title.setText(f"<b>{escape(self.where())}</b>")
+        lines = []
+        for index, row in enumerate(self.rows()):
+            cell = "th" if index == 0 else "td"
+            first, *others = (escape(text) for text in row)
+            numbers = "".join(f"<{cell} align='right' style='padding-left:14px'>{text}</{cell}>" for text in others)
+            lines.append(f"<tr><{cell} align='left'>{first}</{cell}>{numbers}</tr>")
+        self._table.setText(f"<table cellspacing='0' cellpadding='1'>{''.join(lines)}</table>")
+        self._place()
+
+    def _place(self) -> None:
+        self.adjustSize()
+        parent = self.parentWidget()
+        self.move(
+            max(parent.width() - self.width() - MARGIN, MARGIN), max(parent.height() - self.height() - MARGIN, MARGIN)
+        )
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Stay in the corner."""
+        if event.type() == QEvent.Type.Resize and self._shown is not None:
+            self._place()
+        return False
+
+    def _copy(self) -> None:
+        lines = [self.where(), *("\t".join(row) for row in self.rows())]
+        QGuiApplication.clipboard().setText("\n".join(lines))
+
+    def _button(self, name: str, words: str, act: object) -> QToolButton:
+        button = QToolButton()
+        button.setProperty("role", "gutter")
+        button.setToolTip(words)
+        button.setAccessibleName(words)
+        set_icon(button, name)
+        button.clicked.connect(act)
+        return button
+
+
+def _order(key: Key) -> tuple[int, int]:
+    return METHOD_IDS.index(key.method), VARIANTS.index(key.variant)  # type: ignore[arg-type]
+
+
+def _scale(values: PickedValues, name: str) -> tuple[str, str, float]:
+    """A curvature's name, unit and factor that suit all values of it."""
+    every = [values.theory, *(one.curvature for one in values.found.values() if one is not None)]
+    largest = max((abs(getattr(one, name)) for one in every if one is not None), default=0.0)
+    unit = next(unit for quantity, _, unit in CURVATURES if quantity == name)
+    return (name, *Quantity(name, "", unit, False).shown(largest))
+
+
+def _numbers(one: Curvature | None, scales: list[tuple[str, str, float]]) -> list[str]:
+    if one is None:
+        return ["∞" for _ in scales]
+    return [f"{getattr(one, name) * factor:.6g}".replace("-", colormap.MINUS) for name, _, factor in scales]

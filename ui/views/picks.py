@@ -1,0 +1,108 @@
+"""The picked point: asks for the values of every method there, and shows them on a card over the views."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject
+
+from ui.analysis.background import Newest
+from ui.session import Key, Session
+
+if TYPE_CHECKING:
+    from gearstudio.analysis.probe import Curvature, Probe
+    from gearstudio.results import VariantResult
+    from gearstudio.theory.cones import MemberGeometry
+    from ui.main_window import MainWindow
+    from ui.picking import Hover
+    from ui.view_grid import ViewGrid
+    from ui.views.appearance import Appearance
+    from ui.views.pick_card import PickCard
+
+
+@dataclass(frozen=True)
+class PickedValues:
+    """At a place: of each result what its surface is like there (None where it does not reach), and theory."""
+
+    azimuth_deg: float
+    found: Mapping[Key, Probe | None]
+    theory: Curvature | None
+
+
+class Picks(QObject):
+    """Keeps the card in step with the marker and the results; the newest question is answered."""
+
+    def __init__(self, session: Session, window: MainWindow, parent: QObject) -> None:
+        super().__init__(parent)
+        self._session, self._window = session, window
+        self._grid: ViewGrid | None = None
+        self._pin: Hover | None = None
+        self.card: PickCard | None = None
+        self._newest = Newest("picked point", self)
+        self._newest.done.connect(self._on_done)
+        self._newest.failed.connect(lambda _pin, text, _details: self._on_failed(text))
+        session.results_changed.connect(lambda _key: self._ask())
+        session.selection_changed.connect(self._drop)
+        window.closing.connect(self._newest.close)
+
+    def views_ready(self) -> None:
+        """The window has its views now."""
+        from ui.views.pick_card import PickCard
+
+        grid = self._window.area.grid
+        assert grid is not None
+        self._grid = grid
+        self.card = PickCard(grid)
+        self.card.close_wanted.connect(grid.pointing.drop_pin)
+        grid.picked.connect(self._on_picked)
+
+    def show_appearance(self, appearance: Appearance) -> None:
+        """Take the unit of deviations."""
+        if self.card is not None:
+            self.card.set_unit(appearance.unit)
+
+    def _drop(self) -> None:
+        """Another member: the point is none of its."""
+        if self._grid is not None and self._session.member not in {key.member for key in self._shown_keys()}:
+            self._grid.pointing.drop_pin()
+
+    def _shown_keys(self) -> tuple[Key, ...]:
+        return () if self.card is None else self.card.keys
+
+    def _on_picked(self, pin: Hover | None) -> None:
+        self._pin = pin
+        if pin is None:
+            if self.card is not None:
+                self.card.hide()
+            return
+        self._ask()
+
+    def _ask(self) -> None:
+        session, pin = self._session, self._pin
+        if pin is None or session.pair is None:
+            return
+        results = {key: one for key, one in session.results.items() if key.member == session.member}
+        member = session.pair.member(session.member)
+        self._newest.request(pin, lambda: _values(results, member, pin))
+
+    def _on_done(self, pin: Hover, values: PickedValues) -> None:
+        if pin is self._pin and self.card is not None:
+            self.card.show_values(pin, values)
+
+    def _on_failed(self, text: str) -> None:
+        self._window.messages.show_message("error", text, topic="pick")
+
+
+def _values(results: Mapping[Key, VariantResult], member: MemberGeometry, pin: Hover) -> PickedValues:
+    import numpy as np
+
+    from gearstudio.analysis.probe import probe, theory_at
+    from gearstudio.theory.flank import involute_flank
+
+    flank = involute_flank(member, "concave" if pin.flank == "concave" else "convex")
+    delta = float(np.radians(pin.delta_deg))
+    found = {key: probe(one.flanks[pin.flank].surface, flank, pin.rho, delta) for key, one in results.items()}
+    azimuth = float(np.degrees(np.arctan2(pin.xyz[1], pin.xyz[0])))
+    return PickedValues(azimuth, found, theory_at(flank, pin.rho, delta))
