@@ -77,15 +77,41 @@ def test_flank_fillet_and_root_are_tangent(tooth: Tooth, side: int) -> None:
     for lower, upper in pairwise(names):
         below, above = rising(faces[lower]), rising(faces[upper])
         assert np.abs(below[0][-1] - above[0][0]).max() < 1e-9 * tooth.member.outer_cone_distance
-        # on the base cone the flank's first derivative vanishes, so its normal is taken a little above
-        on_base = upper == "flank" and tooth.profile.fillet.on_meridian
-        row, most = (1, 1.5) if on_base else (0, 0.1)
-        assert degrees_between(below[1][-1], above[1][row]) < most
+        if not (upper == "flank" and tooth.profile.fillet.on_meridian):
+            assert degrees_between(below[1][-1], above[1][0]) < 0.1
     if "root" in faces:
         fillet, root = faces["fillet"], normals(faces["root"].surface, FINE, FINE)
         at_root = root[0] if side > 0 else root[-1] @ about_axis(-tooth.member.pitch).T
         there = normals(fillet.surface, np.array([1.0 if side > 0 else 0.0]), FINE)[0]
         assert degrees_between(there, at_root) < 0.1
+
+
+@pytest.mark.parametrize("method", METHOD_IDS)
+@pytest.mark.parametrize("preset", ["default", "automotive", "zerol"])
+def test_a_flank_leaves_the_base_cone_tangentially(preset: str, method: str) -> None:
+    """There its first derivative vanishes, so the kernel's normals are looked at on the way to the edge."""
+    tooth = design_tooth(PRESETS_BY_KEY[preset].design, "pinion", method, "optimised")
+    assert tooth.profile.fillet.on_meridian
+    for side in (-1, 1):
+        faces = by_kind(tooth, side)
+        lower, flank = faces["meridian" if "meridian" in faces else "fillet"], faces["flank"]
+        top, foot = (1.0, 0.0) if side < 0 else (0.0, 1.0)
+        below = kernel_normals(lower, top)
+        angles = [degrees_between(below, kernel_normals(flank, abs(foot - share))) for share in (1e-2, 1e-3, 1e-4)]
+        assert angles[0] < 1.0
+        assert angles[1] < 0.15 * angles[0]
+        assert angles[2] < 0.02
+
+
+def kernel_normals(face: ToothFace, u: float) -> Floats:
+    """Unit normals along the face at u, as the kernel has them."""
+    from OCP.GeomLProp import GeomLProp_SLProps
+
+    from gearstudio.kernel.convert import to_surface
+
+    surface = to_surface(face.surface)
+    found = [GeomLProp_SLProps(surface, u, v, 1, 1e-12).Normal() for v in FINE.tolist()]
+    return np.array([(n.X(), n.Y(), n.Z()) for n in found])
 
 
 @pytest.mark.parametrize("method", METHOD_IDS)
