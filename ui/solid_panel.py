@@ -6,12 +6,10 @@ from PySide6.QtCore import QSignalBlocker, Qt, Signal
 from PySide6.QtWidgets import (
     QCheckBox,
     QComboBox,
-    QFrame,
     QHBoxLayout,
     QLabel,
     QProgressBar,
     QPushButton,
-    QScrollArea,
     QSizePolicy,
     QSlider,
     QToolButton,
@@ -19,8 +17,10 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from ui.card import ScrollCard
 from ui.formatting import CONSTRUCTION_TITLES
 from ui.method_bar import Segments
+from ui.progress import set_progress
 from ui.properties_table import PropertiesTable
 from ui.status import Dot
 from ui.theme import set_icon
@@ -58,27 +58,14 @@ class SolidPanel(QWidget):
         super().__init__(parent)
         self._range, self._place = (-1.0, 1.0), 0.0
         self._axis, self._side = "y", 1
-        page = QWidget()
-        page.setProperty("role", "page")
-        rows = QVBoxLayout(page)
-        rows.setContentsMargins(12, 10, 10, 8)
-        rows.setSpacing(7)
+        card = ScrollCard((12, 10, 10, 8))
+        rows = card.rows
         for part in (self._make_state(), self._make_looks(), self._make_section(), self._make_measure()):
             rows.addLayout(part)
         self.properties = PropertiesTable()
         rows.addSpacing(4)
         rows.addWidget(self.properties)
         rows.addStretch(1)
-        scroll = QScrollArea()
-        scroll.setWidgetResizable(True)
-        scroll.setFrameShape(QFrame.Shape.NoFrame)
-        scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        scroll.setWidget(page)
-        card = QFrame()
-        card.setProperty("role", "card")
-        inside = QVBoxLayout(card)
-        inside.setContentsMargins(1, 2, 1, 2)
-        inside.addWidget(scroll)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(2, 0, 8, 4)
         layout.addWidget(card)
@@ -124,7 +111,7 @@ class SolidPanel(QWidget):
         self._progress.setVisible(fraction is not None)
         self._build.setEnabled(fraction is None)
         if fraction is not None:
-            self._progress.setValue(round(1000 * fraction))
+            set_progress(self._progress, fraction)
 
     def set_section_range(self, low: float, high: float) -> None:
         """Lowest and highest place of the section along its axis [mm]; the place stays if it can."""

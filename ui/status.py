@@ -9,6 +9,7 @@ from PySide6.QtGui import QColor, QPainter, QPaintEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QProgressBar, QPushButton, QSizePolicy, QStatusBar, QWidget
 
 from ui.formatting import micrometres
+from ui.progress import set_progress
 from ui.theme import tokens
 from ui.units import spaced, value_text, with_unit
 from ui.words import tr
@@ -74,7 +75,7 @@ class Status(QStatusBar):
         self._work.setVisible(text is not None)
         if text is not None:
             self._stage.setText(text)
-            self._bar.setValue(round(1000 * fraction))
+            set_progress(self._bar, fraction)
 
     def show_hover(self, hover: Hover | None) -> None:
         """The read-out of the point under the pointer."""
