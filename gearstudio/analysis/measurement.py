@@ -31,6 +31,9 @@ Report = Callable[[str, float], None]
 _BESIDE_DEPTH = 0.3
 _BESIDE_FACE = 0.1
 _MOST_BESIDE = 0.2
+_MOST_MOVED = 0.002
+_LOOKED_AT = 2000
+_SHIFTS = np.linspace(-0.5, 0.5, 41)
 _WORST_RMS_MODULES = 0.03
 _WORST_RMS_MM = 0.02
 _UNITS = ((25.4, "inches"), (1000.0, "metres"), (0.001, "micrometres"))
@@ -121,14 +124,13 @@ def measure(
     member = pair.member(member_name)
     told = report or (lambda stage, fraction: None)
     points, normals = _collected(chunks)
-    start = np.array([0.0, 0.0, start_shift * shift])
+    start = np.array([0.0, 0.0, _start(member, points, start_shift) if shift else 0.0])
     points = points - start
     _check_size(pair, member, points)
-    near = _beside_flank(member, points) <= 0
-    beside = int(np.count_nonzero(~near))
-    points, facing = points[near], None if normals is None else _facing(points, normals)[near]
     told("best fit", 0.2)
-    pose, facing = fit_pose(member, points, facing, (turn, shift), lambda part: told("best fit", 0.2 + 0.4 * part))
+    facing = None if normals is None else _facing(points, normals)
+    near, pose, facing = _placed(member, points, facing, (turn, shift), lambda p: told("best fit", 0.2 + 0.4 * p))
+    beside, points = int(np.count_nonzero(~near)), points[near]
     own = pose.undo(points)
     assigned = assign(member, own, facing)
     told("deviations", 0.6)
@@ -143,6 +145,37 @@ def measure(
         {name: pitch_errors(flank, own, error, assigned) for name, flank in _measured(member, assigned)},
         form_errors(member, own, assigned, (turn, shift)),
     )  # fmt: skip
+
+
+def _start(member: MemberGeometry, points: Floats, near: float) -> float:
+    """About where the apex lies on the axis [mm]: the given place, unless more points are among the teeth from another.
+
+    Teeth may be so thin, or so short, that a shift within the reach of a best fit takes points out of them.
+    """
+    some = points[:: max(1, len(points) // _LOOKED_AT)]
+    shifts = near + _SHIFTS[np.argsort(np.abs(_SHIFTS), kind="stable")] * member.module
+    shares = [_share_beside(member, some - np.array([0.0, 0.0, shift])) for shift in shifts]
+    return float(shifts[np.argmin(shares)])
+
+
+def _placed(
+    member: MemberGeometry,
+    points: Floats,
+    facing: Ints | None,
+    free: tuple[bool, bool],
+    report: Callable[[float], None],
+) -> tuple[NDArray[np.bool_], Pose, Ints | None]:
+    """Which points are of the teeth, shape (n,), their best fit, and the side that those face.
+
+    Points are judged anew where the best fit has moved many of them into the teeth or out.
+    """
+    near = _beside_flank(member, points) <= 0
+    pose, side = fit_pose(member, points[near], None if facing is None else facing[near], free, report)
+    settled = _beside_flank(member, pose.undo(points)) <= 0
+    if np.mean(settled != near) > _MOST_MOVED and np.count_nonzero(settled) > np.count_nonzero(near):
+        near = settled
+        pose, side = fit_pose(member, points[near], None if facing is None else facing[near], free, report)
+    return near, pose, side
 
 
 def _measured(member: MemberGeometry, assigned: Assignment) -> list[tuple[FlankName, InvoluteFlank]]:

@@ -74,7 +74,7 @@ def make_parser(take_picture: screenshot.TakePicture | None = None) -> argparse.
 
     made = command("points", "write the theoretical point cloud of a flank", points.run)
     made.add_argument("--member", choices=MEMBERS, required=True)
-    made.add_argument("--flank", choices=FLANKS, required=True)
+    made.add_argument("--flank", choices=(*FLANKS, points.BOTH), required=True, help="both: as csv alone")
     made.add_argument("--rows", type=_lines, default=7, metavar="N", help="points from toe to heel; default: 7")
     made.add_argument("--cols", type=_lines, default=7, metavar="N", help="points from root to tip; default: 7")
     made.add_argument("--spacing", choices=SPACINGS, default="uniform", help="default: uniform")

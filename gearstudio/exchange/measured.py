@@ -15,6 +15,7 @@ from gearstudio.analysis.measurement import MeasuredPoints
 from gearstudio.errors import FileError
 from gearstudio.exchange.points import point_cloud
 from gearstudio.files import named_errors
+from gearstudio.theory.cloud import Spacing
 from gearstudio.theory.cones import MemberGeometry
 from gearstudio.theory.flank import FLANKS
 from gearstudio.theory.modified import flank_of
@@ -85,7 +86,7 @@ def read_measured(path: str | Path, report: Callable[[float], None] | None = Non
             raise FileError(path, "there are no points in it")
 
 
-def nominal_grid_text(member: MemberGeometry, rows: int, cols: int) -> str:
+def nominal_grid_text(member: MemberGeometry, rows: int, cols: int, spacing: Spacing = "uniform") -> str:
     """The nominal points and normals of both flanks of the tooth at azimuth 0, as CSV.
 
     Rows run from toe to heel, columns from root (or base cone) to tip, edges included; normals point out of the
@@ -93,7 +94,7 @@ def nominal_grid_text(member: MemberGeometry, rows: int, cols: int) -> str:
     """
     lines = [NOMINAL_HEADER]
     for name in FLANKS:
-        cloud = point_cloud(flank_of(member, name), rows, cols, "uniform")
+        cloud = point_cloud(flank_of(member, name), rows, cols, spacing)
         table = np.concatenate([cloud.points, cloud.normals], axis=-1)
         for (row, column), values in zip(np.ndindex(rows, cols), table.reshape(-1, 6), strict=True):
             numbers = ",".join(f"{value:.17g}" for value in values)

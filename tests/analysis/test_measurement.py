@@ -91,6 +91,24 @@ def test_turn_and_shift_come_back(name: str, normals: bool) -> None:
             assert_found(result, made)
 
 
+@pytest.mark.parametrize(
+    "tooth",
+    [{"addendum_factor": 0.1, "clearance_factor": 0.05, "fillet_factor": 0.05}, {"addendum_factor": 0.3}],
+)
+@pytest.mark.parametrize("face_width_factor", [0.04, 0.3])
+def test_thin_and_narrow_teeth_may_be_shifted_too(tooth: dict, face_width_factor: float) -> None:
+    design = Design.model_validate({"tooth": tooth, "pair": {"face_width_factor": face_width_factor}})
+    pair = pair_geometry(design)
+    for member_name in MEMBERS:
+        member = pair.member(member_name)
+        for modules in (0.2, -0.45):
+            made = part(member, range(0, member.teeth, 4), turn=0.3 * member.pitch, shift=modules * member.module)
+            result = measure(pair, member_name, made.measured())
+            assert result.pose.shift == pytest.approx(modules * member.module, abs=1e-6)
+            assert result.statistics.max_um < 1e-4
+            assert_found(result, made)
+
+
 def test_normals_into_the_metal_are_understood() -> None:
     made = part(PAIR.wheel, range(5), turn=0.02)
     inward = [MeasuredPoints(made.points, -made.normals)]

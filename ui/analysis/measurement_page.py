@@ -102,6 +102,7 @@ class MeasurementPage(QWidget):
         """Measure the points of a file, or of the flanks in a STEP file."""
         self.measurement = None
         self.work.open(path)
+        self.panel.tell(tr("Reading {file}…", file=path.name))
         self.panel.show_density(is_model(path))
         self._request()
 
