@@ -15,6 +15,7 @@ from OCP.TopAbs import TopAbs_State
 
 from gearstudio.design import Design, with_field
 from gearstudio.kernel.cutting import Face
+from gearstudio.methods.tooth import Tooth, profile_flank
 
 Floats = NDArray[np.float64]
 Changes = Mapping[str, Any]
@@ -43,6 +44,16 @@ def points_inside(face: Face, wanted: int = 6) -> Floats:
             found = [(p.X(), p.Y(), p.Z()) for p in (surface.Value(*place) for place in kept)]
             break
     return np.array(found)
+
+
+def off_fillet(tooth: Tooth, side: int, points: Floats) -> Floats:
+    """How far points (..., 3) of a fillet lie from the circle of theory [mm], shape (...)."""
+    fillet, member = tooth.profile.fillet, tooth.member
+    rho, delta, phi = profile_flank(tooth.profile, side).locate(points)
+    azimuth = side * (phi - member.lengthwise.azimuth(rho)) - fillet.centre_azimuth
+    half = np.sin((delta - fillet.centre_angle) / 2) ** 2
+    half = half + np.sin(delta) * np.sin(fillet.centre_angle) * np.sin(azimuth / 2) ** 2
+    return np.asarray((2 * np.arcsin(np.sqrt(half)) - fillet.radius) * rho)
 
 
 def by_name(faces: Iterable[tuple[str, Face]]) -> dict[str, list[Face]]:

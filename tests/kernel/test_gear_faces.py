@@ -20,6 +20,7 @@ from gearstudio.nurbs import NurbsSurface, basis_matrix
 from gearstudio.presets import PRESETS_BY_KEY
 from gearstudio.theory.cones import pair_geometry
 from gearstudio.theory.pair import about_axis, pinion_placement, wheel_placement
+from tests.kernel.gears import off_fillet
 
 pytestmark = pytest.mark.kernel
 
@@ -60,14 +61,8 @@ def by_kind(tooth: Tooth, side: int) -> dict[str, ToothFace]:
 
 @pytest.mark.parametrize("side", [-1, 1])
 def test_fillets_lie_on_the_circle_of_theory(tooth: Tooth, side: int) -> None:
-    fillet, member = tooth.profile.fillet, tooth.member
     points, _ = rising(by_kind(tooth, side)["fillet"])
-    rho, delta, phi = profile_flank(tooth.profile, side).locate(points)
-    azimuth = side * (phi - member.lengthwise.azimuth(rho)) - fillet.centre_azimuth
-    cosine_gap = np.sin((delta - fillet.centre_angle) / 2) ** 2
-    cosine_gap = cosine_gap + np.sin(delta) * np.sin(fillet.centre_angle) * np.sin(azimuth / 2) ** 2
-    distance = 2 * np.arcsin(np.sqrt(cosine_gap))
-    assert np.abs((distance - fillet.radius) * rho).max() < 1e-3 * max(1.0, member.outer_cone_distance / 250)
+    assert np.abs(off_fillet(tooth, side, points)).max() < 1e-3 * max(1.0, tooth.member.outer_cone_distance / 250)
 
 
 @pytest.mark.parametrize("side", [-1, 1])
