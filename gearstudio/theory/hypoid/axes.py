@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import atan2, cos, sin
 
 import numpy as np
@@ -40,6 +40,30 @@ class Axes:
     pinion_frame: Floats
     mean_azimuth: float
     mean_point: Floats
+
+    def moved(self, across: float, pinion_axial: float, wheel_axial: float, opened: float) -> Axes:
+        """The pinion out of its place [mm, rad].
+
+        Parameters
+        ----------
+        across : float
+            Along the world's y; a misalignment E, positive as a positive offset, is hand_2 E.
+        pinion_axial, wheel_axial : float
+            P along the pinion's axis and G along the wheel's, positive away from the crossing point.
+        opened : float
+            By how much the shaft angle opens.
+        """
+        c, s = cos(opened), sin(opened)
+        tilt = np.array([[c, 0.0, s], [0.0, 1.0, 0.0], [-s, 0.0, c]])
+        axis = tilt @ self.pinion_axis
+        shift = np.array([0.0, across, -wheel_axial]) + pinion_axial * axis
+        return replace(
+            self,
+            pinion_axis=axis,
+            crossing=tilt @ self.crossing + shift,
+            pinion_apex=tilt @ self.pinion_apex + shift,
+            pinion_frame=tilt @ self.pinion_frame,
+        )
 
     def pinion_placement(self, turn: float = 0.0) -> tuple[Floats, Floats]:
         """Matrix and shift that take pinion points to the world when the pinion has turned by phi_1."""

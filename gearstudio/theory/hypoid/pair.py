@@ -136,6 +136,10 @@ class HypoidPair:
         """Where the members stand in the world."""
         return placed(self.cones, self.hand("wheel"))
 
+    def misaligned(self, offset: float, pinion_axial: float, wheel_axial: float, shaft_angle: float) -> Axes:
+        """Where they stand when misaligned by E, P, G [mm] and the shaft angle [rad] (see `Axes.moved`)."""
+        return self.axes.moved(self.hand("wheel") * offset, pinion_axial, wheel_axial, shaft_angle)
+
 
 def hypoid_pair(given: HypoidInput) -> HypoidPair:
     """Derive a pair.

@@ -119,6 +119,10 @@ def test_tapers() -> None:
     total = tilted.depth.addendum_angle + tilted.depth.dedendum_angle
     limit = 1.3 * standard_sum(tilted.cones, tilted.depth.dedenda)
     assert total == pytest.approx(min(limit, duplex_sum(tilted.given, tilted.cones)))
+    wide = hypoid_pair(replace(AXLE, offset=5.0, cutter_radius=250.0, depth=DepthInput(taper="tilted_root")))
+    limit = 1.3 * standard_sum(wide.cones, wide.depth.dedenda)
+    assert duplex_sum(wide.given, wide.cones) > limit
+    assert wide.depth.addendum_angle + wide.depth.dedendum_angle == pytest.approx(limit)
     given = depth(taper="uniform", addendum_angle_deg=1.0, dedendum_angle_deg=2.5)
     assert degrees(given.bodies.wheel.face.angle - given.cones.wheel.angle) == pytest.approx(1.0)
     assert degrees(given.cones.wheel.angle - given.bodies.wheel.root.angle) == pytest.approx(2.5)

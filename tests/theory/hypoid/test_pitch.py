@@ -12,6 +12,7 @@ from gearstudio.theory.hypoid.axes import placed
 from gearstudio.theory.hypoid.checks import pitch_cones
 from gearstudio.theory.hypoid.inputs import HypoidError, HypoidInput
 from gearstudio.theory.hypoid.method1 import method_0, method_1
+from gearstudio.theory.hypoid.pair import hypoid_pair
 from gearstudio.theory.hypoid.pitch import PitchCones, trace_curvature
 from tests.theory.hypoid.pairs import AXLE, PAIRS, REFERENCE, Record, reference_input
 
@@ -151,3 +152,24 @@ def test_offset_of_either_sign_turns_the_spiral_the_other_way() -> None:
     assert plus.pinion.spiral_angle > plus.wheel.spiral_angle
     assert minus.pinion.spiral_angle < minus.wheel.spiral_angle
     assert 0 < plus.pinion.angle < pi / 2 and 0 < minus.wheel.angle < pi / 2
+
+
+@pytest.mark.parametrize("hand", ["left", "right"])
+@pytest.mark.parametrize("given", [PAIRS["axle"], PAIRS["below"], PAIRS["bevel"]], ids=["axle", "below", "bevel"])
+def test_misalignment(given: HypoidInput, hand: str) -> None:
+    """E enlarges the offset, S the shaft angle, P and G move the members away from each other along their axes."""
+    pair = hypoid_pair(replace(given, pinion_hand=hand))
+    axes, point = pair.axes, np.array([3.0, -2.0, 40.0])
+    away = pair.misaligned(0.3, 0.0, 0.0, 0.0)
+    assert away.crossing[1] * given.wheel_hand * (-1 if hand != given.pinion_hand else 1) == pytest.approx(
+        given.offset + 0.3
+    )
+    assert away.to_world(point, 0.7) - axes.to_world(point, 0.7) == pytest.approx(away.crossing - axes.crossing)
+    away = pair.misaligned(0.0, 0.2, 0.0, 0.0)
+    assert away.to_world(point, 0.7) - axes.to_world(point, 0.7) == pytest.approx(0.2 * axes.pinion_axis)
+    away = pair.misaligned(0.0, 0.0, 0.2, 0.0)
+    assert away.to_world(point, 0.7) - axes.to_world(point, 0.7) == pytest.approx([0.0, 0.0, -0.2])
+    away = pair.misaligned(0.0, 0.0, 0.0, 0.01)
+    assert np.arccos(away.pinion_axis[2]) == pytest.approx(pair.cones.shaft_angle + 0.01)
+    assert away.crossing == pytest.approx(axes.crossing)
+    assert away.to_world([0.0, 0.0, 5.0], 0.7) - away.pinion_apex == pytest.approx(5 * away.pinion_axis)

@@ -67,3 +67,11 @@ def test_pointed_teeth_are_refused() -> None:
     with pytest.raises(HypoidError, match="pointed") as caught:
         sound_pair(given)
     sound_pair(cured(given, str(caught.value)))
+
+
+@pytest.mark.parametrize("offset", [5.0, -5.0, 0.0])
+def test_tips_that_reach_inside_the_wheels_base_cone(offset: float) -> None:
+    given = HypoidInput(15, 16, offset, 100.0, 15.0, 10.0, 60.0, depth=DepthInput(mean_addendum_factor=0.0))
+    with pytest.raises(HypoidError, match="inside its base cone with its tips") as caught:
+        sound_pair(given)
+    sound_pair(cured(given, str(caught.value)))
