@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import QObject, Signal, SignalInstance
 
 if TYPE_CHECKING:
     from gearstudio.jobs import Job
@@ -62,6 +62,6 @@ class CadJobs(QObject):
             self._runner.cancel()
 
     @staticmethod
-    def _pass(signal: Signal, job: Job, *rest: object) -> None:
+    def _pass(signal: SignalInstance, job: Job, *rest: object) -> None:
         if job.purpose in PURPOSES:
-            signal.emit(job, *rest)  # type: ignore[attr-defined]
+            signal.emit(job, *rest)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 
 import numpy as np
 
@@ -78,7 +78,7 @@ def summary(studies: Mapping[str, ConvergenceStudy], tolerance_um: float) -> str
     return tr("Within {value}: {efforts}", value=micrometres(tolerance_um), efforts="; ".join(parts)) if parts else ""
 
 
-def _writer(effort: str):  # type: ignore[no-untyped-def]
+def _writer(effort: str) -> Callable[[float], str]:
     return _time if effort == "seconds" else plain
 
 

@@ -112,8 +112,8 @@ class MeasurementPanel(QWidget):
 
     def _arrange(self) -> None:
         files, fit, work = QHBoxLayout(), QHBoxLayout(), QHBoxLayout()
-        for widget in (self.open, self.nominal):
-            files.addWidget(widget)
+        files.addWidget(self.open)
+        files.addWidget(self.nominal)
         files.addStretch(1)
         fit.setSpacing(12)
         label = QLabel(tr("Best fit"))

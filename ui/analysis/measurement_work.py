@@ -95,11 +95,11 @@ class MeasurementWork(QObject):
         self._against: Against | None = None
         self._asked = Asked((True, True), 1.0)
         self.source: Source | None = None
-        self.thread = Newest("measurement", self)
-        self.thread.done.connect(self._on_done)
-        self.thread.failed.connect(lambda label, text, _details: self._is_wanted(label) and self.refused.emit(text))
-        self.thread.stopped.connect(lambda _label: self._end(self.cancelled.emit))
-        self.thread.idle.connect(lambda: self._sampling is None and self.progressed.emit(None))
+        self.background = Newest("measurement", self)
+        self.background.done.connect(self._on_done)
+        self.background.failed.connect(lambda label, text, _details: self._is_wanted(label) and self.refused.emit(text))
+        self.background.stopped.connect(lambda _label: self._end(self.cancelled.emit))
+        self.background.idle.connect(lambda: self._sampling is None and self.progressed.emit(None))
         self._reported.connect(self._on_reported, Qt.ConnectionType.QueuedConnection)
         jobs.progressed.connect(lambda job, _stage, part: self._is_ours(job) and self.progressed.emit(SAMPLING * part))
         jobs.done.connect(self._on_sampled)
@@ -109,7 +109,7 @@ class MeasurementWork(QObject):
     @property
     def busy(self) -> bool:
         """Whether anything waits or is being done."""
-        return self._sampling is not None or self.thread.busy
+        return self._sampling is not None or self.background.busy
 
     def open(self, path: Path | None) -> None:
         """Another file, or none; `request` measures it."""
@@ -135,28 +135,28 @@ class MeasurementWork(QObject):
         self._sampling, begun = None, SAMPLING if is_model(source.path) else 0.0
 
         def report(_stage: str, part: float) -> None:
-            self.thread.go_on()
+            self.background.go_on()
             self._reported.emit(begun + (1 - begun) * part)
 
         def work() -> tuple[Measurement, Drawn]:
             found = measured(against.pair, against.member, source, asked.fit, report)
             return found, drawn(found, asked.tooth)
 
-        self.thread.request((against, source.path), work)
+        self.background.request((against, source.path), work)
 
     def redraw(self, measurement: Measurement, tooth: int) -> None:
         """Draw one tooth or all of a measurement."""
-        self.thread.request(None, lambda: drawn(measurement, tooth))
+        self.background.request(None, lambda: drawn(measurement, tooth))
 
     def cancel(self) -> None:
         """End what is being done."""
         if self._sampling is not None:
             self._jobs.cancel()
-        self.thread.cancel()
+        self.background.cancel()
 
     def close(self) -> None:
         """End the thread."""
-        self.thread.close()
+        self.background.close()
 
     def _is_ours(self, job: Job) -> bool:
         return self._sampling is not None and job == self._sampling
@@ -170,7 +170,7 @@ class MeasurementWork(QObject):
         tell()
 
     def _on_reported(self, part: float) -> None:
-        if self.thread.busy:
+        if self.background.busy:
             self.progressed.emit(part)
 
     def _on_sampled(self, job: Job, model: SampledModel) -> None:
