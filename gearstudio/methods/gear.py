@@ -20,6 +20,7 @@ from gearstudio.theory.chamfer import end_chamfers
 from gearstudio.theory.cones import MemberGeometry, pair_geometry
 
 CONSTRUCTIONS = ("assemble", "cut")
+_BUILT = {"assemble": 0.3, "cut": 0.8}
 
 
 @dataclass(frozen=True)
@@ -131,11 +132,14 @@ def solid_result(
     """
     report("building", 0.0)
     started = time.perf_counter()
-    gear = build_gear(design, member, method_id, variant, construction)
-    report("checking", 0.3)
+    built = _BUILT[construction]
+    gear = build_gear(
+        design, member, method_id, variant, construction, lambda stage, share: report(stage, built * share)
+    )
+    report("checking", built)
     valid = is_valid(gear.solid)
     seconds = time.perf_counter() - started
-    report("weighing", 0.5)
+    report("weighing", (1 + built) / 2)
     check = check_solid(gear.solid)
     return SolidResult(
         member=member,
