@@ -14,6 +14,7 @@ from PySide6.QtCore import QObject, QPointF, QTimer
 
 from gearstudio.analysis.gear_deviation import GearTheory
 from gearstudio.errors import GearStudioError
+from gearstudio.theory.blank import BlankSizes
 from gearstudio.theory.chamfer import end_chamfers
 from gearstudio.theory.cones import pair_geometry
 from gearstudio.theory.profile import tooth_profile
@@ -126,7 +127,8 @@ class SolidPointer(QObject):
         if member not in self._theories or self._theories[member][0] is not built:
             try:
                 geometry = pair_geometry(built.design).member(member)
-                chamfers = end_chamfers(geometry, getattr(built.design.blank, member).end_chamfer)
+                sizes = BlankSizes(**getattr(built.design.blank, member).model_dump())
+                chamfers = end_chamfers(geometry, sizes.end_chamfer)
                 theory = GearTheory(geometry, tooth_profile(geometry), built.result.outline, chamfers)
             except GearStudioError:
                 theory = None
