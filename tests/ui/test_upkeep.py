@@ -17,10 +17,12 @@ from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QMessageBox
 
 from tests.ui.stand_ins import Bench
+from tests.worker import fake_jobs as fake
 from ui import graphics
 from ui.diagnostics import CrashCatcher, note_fact, versions
 from ui.log_panel import LogDock
 from ui.memory import DEFAULT_LIMIT_MB, LIMIT_KEY, MemoryGuard, memory_limit, resident_megabytes
+from ui.runner import JobRunner
 from ui.screens import fitted
 from ui.settings_file import open_settings, reset_settings, settings_path
 from ui.upkeep import Upkeep
@@ -198,6 +200,26 @@ def test_a_process_above_the_limit_is_replaced_when_it_is_at_rest() -> None:
     guard.stop()
     guard.look()
     assert runner.restarts == 2
+
+
+def test_a_real_process_is_replaced_by_another(qtbot) -> None:
+    runner, guard = JobRunner(warm_up=fake.no_warm_up), MemoryGuard(0)
+    states: list[str] = []
+    runner.worker_state_changed.connect(lambda state, _reason: states.append(state))
+    guard.use(runner)
+    runner.start()
+    try:
+        qtbot.waitUntil(lambda: "ready" in states, timeout=60_000)
+        before = runner.process_id
+        with qtbot.waitSignal(guard.replaced, timeout=5000) as said:
+            guard.set_limit(1)
+        guard.set_limit(0)
+        assert said.args[0] > 1
+        qtbot.waitUntil(lambda: states.count("ready") == 2, timeout=60_000)
+        assert runner.process_id not in (0, before) and not psutil.pid_exists(before)
+    finally:
+        guard.stop()
+        runner.close()
 
 
 @pytest.mark.parametrize(
