@@ -70,8 +70,7 @@ class Edits(QObject):
 
     def reset_group(self, group: str) -> None:
         """Give all fields of a group of the form their defaults back."""
-        paths = [spec.path for spec in field_specs() if spec.group == group]
-        self.reset(paths, tr("Reset group {group}", group=tr(group)))
+        self.reset(self._window.form.paths_of(group), tr("Reset group {group}", group=tr(group)))
 
     def take_preset(self, preset: Preset) -> None:
         """All values of a preset, in the same document."""

@@ -9,6 +9,7 @@ from __future__ import annotations
 import ast
 import math
 import re
+import warnings
 from collections.abc import Callable
 
 from simpleeval import InvalidExpression, SimpleEval
@@ -28,10 +29,10 @@ FUNCTIONS: dict[str, Callable[..., float]] = {
     )
 } | {"abs": abs, "min": min, "max": max}  # fmt: skip
 CONSTANTS = {"pi": math.pi, "π": math.pi, "e": math.e, "tau": math.tau}
-LENGTHS = {"in": MM_PER_INCH, "mm": 1.0, "um": 1e-3, "µm": 1e-3}
+LENGTHS = {"in": MM_PER_INCH, "mm": 1.0, "um": 1e-3}
 TURNS = {"deg": math.pi / 180, "rad": 1.0}
 KNOWN = {*FUNCTIONS, *CONSTANTS, *LENGTHS, *TURNS}
-SUFFIX = re.compile(r"(?<=[\d.)])\s*(in|mm|um|µm|deg|rad)(?![\w(])")
+SUFFIX = re.compile(r"(?<=[\d.)])\s*(in|mm|um|deg|rad)(?![\w(])")
 OTHER_NUMBERS = re.compile(r"\b0[xob]|\d_|\dj", re.IGNORECASE)
 """Python's ways to write numbers that are not meant here: 0x1f, 1_000, 2j."""
 _BINARY = (ast.Add, ast.Sub, ast.Mult, ast.Div, ast.Pow)
@@ -82,12 +83,21 @@ def evaluate(text: str, unit: str) -> float:
 
 def _parse(text: str) -> ast.Expression:
     plain = text.strip().replace(MINUS, "-").replace("×", "*").replace("·", "*").replace("÷", "/")
-    plain = plain.replace("^", "**").replace("°", "deg").replace("″", "in").replace('"', "in")
+    plain = (
+        plain.replace("^", "**")
+        .replace("°", "deg")
+        .replace("µ", "u")
+        .replace("μ", "u")
+        .replace("″", "in")
+        .replace('"', "in")
+    )
     plain = SUFFIX.sub(r"*_\1", _points(plain))
     try:
         if OTHER_NUMBERS.search(plain):
             raise ValueError
-        tree = ast.parse(plain, mode="eval")
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", SyntaxWarning)
+            tree = ast.parse(plain, mode="eval")
     except (SyntaxError, ValueError, RecursionError, MemoryError):
         raise ExpressionError(tr("“{text}” is neither a number nor a sum", text=text.strip())) from None
     for node in ast.walk(tree):

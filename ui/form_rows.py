@@ -46,7 +46,7 @@ class FieldRow(QWidget):
         self.field.setObjectName(spec.path)
         self.field.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
         self.field.customContextMenuRequested.connect(lambda place: self._show_menu(self.field.mapToGlobal(place)))
-        self._idle = ""
+        self._idle, self._changed = "", False
         self._issues: Sequence[Issue] = ()
         self.reset = self._make_reset()
         self._label = QLabel(tr(spec.title))
@@ -57,18 +57,7 @@ class FieldRow(QWidget):
         self._unit = QLabel()
         self._unit.setProperty("role", "muted")
         self._unit.setFixedWidth(UNIT_WIDTH)
-        layout = QGridLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.setHorizontalSpacing(6)
-        layout.setVerticalSpacing(2)
-        layout.addWidget(self.reset, 0, 0)
-        layout.addWidget(self._label, 0, 1)
-        wide = isinstance(self.field, ChoiceField | TextField)
-        layout.addWidget(self.field, 0, 2, 1, 2 if wide else 1)
-        if not wide:
-            layout.addWidget(self._unit, 0, 3)
-        layout.addWidget(self._message, 1, 1, 1, 3)
-        layout.setColumnStretch(2, 1)
+        self._arrange()
         if isinstance(self.field, NumberField):
             self.field.editingFinished.connect(lambda: self.say(self._issues))
         self.show_units()
@@ -120,7 +109,12 @@ class FieldRow(QWidget):
 
     def show_changed(self, changed: bool) -> None:
         """Offer to reset the field while it differs from its default."""
+        self._changed = changed
         self.reset.setVisible(changed)
+
+    def set_found(self, found: bool) -> None:
+        """Show the row while fields are searched for, if it is one of them."""
+        self.setVisible(found)
 
     def show_units(self) -> None:
         """Show value, unit and limits in the unit that the user chose."""
@@ -141,7 +135,7 @@ class FieldRow(QWidget):
             menu.addSeparator()
         value: Any = self.spec.default
         reset = menu.addAction(tr("Reset to {value}", value=field_value_text(self.spec, value)))
-        reset.setEnabled(not self.reset.isHidden())
+        reset.setEnabled(self._changed)
         reset.triggered.connect(self.reset_requested)
         group = menu.addAction(tr("Reset group {group}", group=tr(self.spec.group)))
         group.triggered.connect(self.group_reset_requested)
@@ -152,6 +146,20 @@ class FieldRow(QWidget):
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
         self._show_menu(event.globalPos())
         event.accept()
+
+    def _arrange(self) -> None:
+        layout = QGridLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setHorizontalSpacing(6)
+        layout.setVerticalSpacing(2)
+        layout.addWidget(self.reset, 0, 0)
+        layout.addWidget(self._label, 0, 1)
+        wide = isinstance(self.field, ChoiceField | TextField)
+        layout.addWidget(self.field, 0, 2, 1, 2 if wide else 1)
+        if not wide:
+            layout.addWidget(self._unit, 0, 3)
+        layout.addWidget(self._message, 1, 1, 1, 3)
+        layout.setColumnStretch(2, 1)
 
     def _edits(self, line: QLineEdit) -> tuple[tuple[str, Any, bool], ...]:
         chosen, writable = line.hasSelectedText(), line.isEnabled() and not line.isReadOnly()

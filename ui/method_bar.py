@@ -84,7 +84,7 @@ class _BoldStableButton(QPushButton):
         self.ensurePolished()
         font = self.font()
         font.setBold(True)
-        self.setMinimumWidth(QFontMetrics(font).horizontalAdvance(text) + 24)
+        self.setMinimumWidth(QFontMetrics(font).horizontalAdvance(text) + 20)
 
 
 class MethodBar(QWidget):
@@ -113,7 +113,7 @@ class MethodBar(QWidget):
         self.members.chosen.connect(self.member_chosen)
         self._layout = QHBoxLayout(self)
         self._layout.setContentsMargins(4, 6, 8, 4)
-        self._layout.setSpacing(10)
+        self._layout.setSpacing(7)
         for segments in (self.members, self.methods, self.variants):
             self._layout.addWidget(segments)
         self._layout.addStretch(1)

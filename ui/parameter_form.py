@@ -15,6 +15,7 @@ from gearstudio.errors import Issue
 from ui.fields import NumberField, TextField, set_severity
 from ui.form_rows import FieldRow
 from ui.form_section import Section
+from ui.modification_table import MODIFICATIONS, ModificationTable, section_of
 from ui.words import tr
 
 MINIMUM_WIDTH = 330
@@ -84,6 +85,8 @@ class ParameterForm(QWidget):
         """Show a draft."""
         for field, row in self.rows.items():
             row.field.set_value(draft.get(field))
+            if field not in self._issues:
+                row.say([])
 
     def set_idle(self, idle: Mapping[str, str]) -> None:
         """Disable fields without effect, each with its reason; one with an error stays open for repair."""
@@ -138,11 +141,15 @@ class ParameterForm(QWidget):
         hits: dict[str, int] = defaultdict(int)
         for row in self.rows.values():
             hit = all(word in row.words for word in words)
-            row.setVisible(hit)
-            hits[row.spec.group] += hit
+            row.set_found(hit)
+            hits[section_of(row.spec)] += hit
         for group, section in self._sections.items():
             section.set_filter(bool(words), hits[group] > 0)
         self._nothing.setVisible(not any(hits.values()))
+
+    def paths_of(self, group: str) -> list[str]:
+        """The fields of a section, or of a group within it."""
+        return [path for path, row in self.rows.items() if group in (row.spec.group, section_of(row.spec))]
 
     def focused_path(self) -> str:
         """The field that the cursor is in; empty when it is elsewhere."""
@@ -154,7 +161,7 @@ class ParameterForm(QWidget):
         row = self.rows[path]
         if row.isHidden():
             self.search.clear()
-        self._sections[row.spec.group].set_open(True)
+        self._sections[section_of(row.spec)].set_open(True)
         self._scroll.ensureWidgetVisible(row, 0, 24)
         row.field.setFocus(Qt.FocusReason.ShortcutFocusReason)
 
@@ -181,11 +188,20 @@ class ParameterForm(QWidget):
         layout.setContentsMargins(2, 2, 10, 8)
         layout.setSpacing(4)
         layout.addWidget(self._nothing)
-        for group, specs in groupby(field_specs(), key=lambda spec: spec.group):
-            section = self._sections.get(group) or self._make_section(group)
+        for group, specs in groupby(field_specs(), key=section_of):
+            section = self._make_section(group)
             layout.addWidget(section)
+            if group == MODIFICATIONS:
+                table = ModificationTable(tuple(specs))
+                for cell in table.cells:
+                    self._take_row(cell)
+                section.add(table)
+                section.set_open(False)
+                continue
             for spec in specs:
-                section.add(self._make_row(spec))
+                row = FieldRow(spec)
+                self._take_row(row)
+                section.add(row)
         layout.addStretch(1)
         scroll = QScrollArea()
         scroll.setWidgetResizable(True)
@@ -203,8 +219,8 @@ class ParameterForm(QWidget):
         section.fold_all_requested.connect(self._fold_all)
         return section
 
-    def _make_row(self, spec: FieldSpec) -> FieldRow:
-        row = FieldRow(spec)
+    def _take_row(self, row: FieldRow) -> None:
+        spec = row.spec
         row.field.value_edited.connect(lambda value: self._on_edited(row, value))
         if isinstance(row.field, NumberField | TextField):
             row.field.editingFinished.connect(self.field_finished)
@@ -212,7 +228,6 @@ class ParameterForm(QWidget):
         row.group_reset_requested.connect(lambda: self.group_reset.emit(spec.group))
         row.explanation_requested.connect(lambda: self.field_asked.emit(spec.path))
         self.rows[spec.path] = row
-        return row
 
     def _on_edited(self, row: FieldRow, value: Any) -> None:
         self.field_edited.emit(row.spec.path, value)
@@ -230,7 +245,7 @@ class ParameterForm(QWidget):
 
     def _mark_groups(self) -> None:
         for group, section in self._sections.items():
-            paths = [path for path, row in self.rows.items() if row.spec.group == group]
+            paths = [path for path, row in self.rows.items() if section_of(row.spec) == group]
             found = [issue for path in paths for issue in self._issues.get(path, [])]
             section.show_marks(sum(path in self._changed for path in paths), _worst(found), len(found))
 
@@ -238,7 +253,7 @@ class ParameterForm(QWidget):
         for field, issues in self._issues.items():
             row = self.rows.get(field)
             if row is not None:
-                self._sections[row.spec.group].set_open(True)
+                self._sections[section_of(row.spec)].set_open(True)
                 row.say(issues)
 
     def _summarise(self, issues: Sequence[Issue]) -> None:

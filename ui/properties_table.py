@@ -21,6 +21,7 @@ from PySide6.QtWidgets import (
 from ui.fields import set_severity
 from ui.formatting import MEMBER_TITLES, number_text, parse_number
 from ui.materials import CUSTOM, MATERIALS, properties
+from ui.words import tr
 
 if TYPE_CHECKING:
     from gearstudio.results import SolidResult
@@ -38,13 +39,15 @@ class PropertiesTable(QWidget):
         self._members: tuple[str, ...] = ()
         self._results: tuple[SolidResult | None, ...] = ()
         self.material = QComboBox()
-        self.material.setAccessibleName("Material")
+        self.material.setAccessibleName(tr("Material"))
+        self.material.setToolTip(tr("Material that the mass is computed with"))
         for material in MATERIALS:
             self.material.addItem(material.name, material.density)
         self.material.addItem(CUSTOM, None)
         self._density = MATERIALS[0].density
         self.density_field = QLineEdit(number_text(self._density))
-        self.density_field.setAccessibleName("Density")
+        self.density_field.setAccessibleName(tr("Density"))
+        self.density_field.setToolTip(tr("Density of the material in kg/m³"))
         self.density_field.setAlignment(Qt.AlignmentFlag.AlignRight)
         self.density_field.setFixedWidth(64)
         unit = QLabel("kg/m³")
@@ -57,7 +60,8 @@ class PropertiesTable(QWidget):
         choice.addWidget(self.density_field)
         choice.addWidget(unit)
         self.table = QTableWidget(0, 2)
-        self.table.setAccessibleName("Properties of the solids")
+        self.table.setAccessibleName(tr("Properties of the solids"))
+        self.table.setToolTip(tr("Volume, mass and moments of the solids that are built"))
         self.table.verticalHeader().hide()
         self.table.verticalHeader().setDefaultSectionSize(_ROW_HEIGHT)
         self.table.setShowGrid(False)

@@ -24,6 +24,7 @@ from ui.progress import set_progress
 from ui.properties_table import PropertiesTable
 from ui.status import Dot
 from ui.theme import set_icon
+from ui.words import tr
 
 STEPS = 400
 AXES = ("x", "y", "z")
@@ -149,6 +150,7 @@ class SolidPanel(QWidget):
         self._progress = QProgressBar(maximum=1000)
         self._progress.setTextVisible(False)
         self.automatic = QCheckBox("Rebuild when the design changes")
+        self.automatic.setToolTip(tr("Build the solids anew after every edit"))
         self.automatic.setChecked(True)
         self.automatic.toggled.connect(self.automatic_switched)
         made = QVBoxLayout()
@@ -168,6 +170,7 @@ class SolidPanel(QWidget):
 
     def _make_looks(self) -> QVBoxLayout:
         self._edges = QCheckBox("Edges")
+        self._edges.setToolTip(tr("Draw the edges of the faces"))
         self._edges.setChecked(True)
         self._deviation = QCheckBox("Flanks coloured by deviation")
         self._deviation.setToolTip("Signed normal deviation of the solid's flanks from theory")
@@ -185,11 +188,13 @@ class SolidPanel(QWidget):
         self._axes.set_choice(self._axis)
         self._axes.chosen.connect(self._on_axis)
         self._flip = QToolButton(checkable=True, autoRaise=True)
-        self._flip.setToolTip("Take away the other side")
+        self._flip.setToolTip(tr("Take away the other side"))
+        self._flip.setAccessibleName(tr("Take away the other side"))
         set_icon(self._flip, "flip")
         self._flip.toggled.connect(self._on_section)
         self._slider = QSlider(Qt.Orientation.Horizontal, maximum=STEPS, value=STEPS // 2)
-        self._slider.setAccessibleName("Place of the section")
+        self._slider.setAccessibleName(tr("Place of the section"))
+        self._slider.setToolTip(tr("Where the plane of the section stands"))
         self._slider.valueChanged.connect(self._on_slid)
         self._where = QLabel()
         self._where.setProperty("role", "muted")

@@ -77,8 +77,7 @@ def test_messages_wait_for_a_pause_and_go_at_once(bench: Bench) -> None:
     row = bench.window.form.rows[TEETH]
     bench.type_into(TEETH, "3")
     assert row.field.property("severity") == "error" and row.message == ""
-    QTest.qWait(300)
-    assert row.message and row._message.isVisible()
+    assert QTest.qWaitFor(lambda: bool(row.message), 3000) and row._message.isVisible()
     assert "last good model" in bench.window.form._summary.text()
     bench.type_into(TEETH, "20")
     assert row.field.property("severity") == "" and not row._message.isVisible()
