@@ -123,6 +123,7 @@ def test_a_chart_is_saved_as_picture_drawing_and_table(frame, tmp_path: Path) ->
     assert len(colors) > 3
     drawing = (tmp_path / "b.svg").read_text(encoding="utf-8")
     assert "<svg" in drawing and "Deviation [µm]" in drawing
+    assert drawing.count("<text") > 8 and "<image" not in drawing, "letters and lines, no pictures of them"
     rows = list(csv.reader((tmp_path / "c.csv").open(encoding="utf-8")))
     assert rows[0] == ["Place", "one [µm]"] and float(rows[-1][1]) == 1.0 and len(rows) == 6
     assert (tmp_path / "d.png").exists()

@@ -89,7 +89,7 @@ def ease_off_facts(made: EaseOffMaps) -> tuple[tuple[str, str], ...]:
     """The numbers in a line: name and value."""
     if not made.step_um:
         return ((tr("Ease-off"), tr("flat")),)
-    return ((tr("Contours"), f"{significant(made.step_um)} µm"), (tr("Zero"), tr("mean point")))
+    return ((tr("Contours"), f"{significant(made.step_um)} µm"),)
 
 
 def _map(pair: PairGeometry, pattern: FlankPattern, heights: Floats, levels: Floats) -> FlankMap:
@@ -103,8 +103,8 @@ def _map(pair: PairGeometry, pattern: FlankPattern, heights: Floats, levels: Flo
     image = np.where(inside(edge, RASTER, extent) & (beyond < 0.5 * NO_MATE), image, np.nan)
     plain, zero = levels[np.abs(levels) > 1e-12], levels[np.abs(levels) <= 1e-12]
     lines = (
-        Line(contour_pairs(x, y, heights, plain), "text", 0.8, pairs=True),
-        Line(contour_pairs(x, y, heights, zero), "text", 2.0, pairs=True),
+        Line(contour_pairs(x, y, heights, plain), "contour", 0.8, pairs=True),
+        Line(contour_pairs(x, y, heights, zero), "contour", 2.0, pairs=True),
     )
     return FlankMap(pattern_title(pattern), image, extent, edge, lines, _describe)
 

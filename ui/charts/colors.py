@@ -21,6 +21,7 @@ _LIGHT = {
     "convex": "#c2570c",
     "added": "#c2480f",
     "missing": "#1f5fc4",
+    "contour": "#1d232b",
 }
 _DARK = {
     "rotating_line": "#6db1ff",
@@ -36,6 +37,7 @@ _DARK = {
     "convex": "#ff9f57",
     "added": "#ff9456",
     "missing": "#6aa8ff",
+    "contour": "#1d232b",
 }
 
 

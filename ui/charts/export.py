@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
 from PySide6.QtCore import QBuffer, QByteArray, QIODevice, QMimeData, QRect, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QImage, QPainter
 from PySide6.QtSvg import QSvgGenerator
-from PySide6.QtWidgets import QGraphicsView
+from PySide6.QtWidgets import QGraphicsItem, QGraphicsView
 
 from gearstudio.errors import FileError
 from gearstudio.files import write_bytes
@@ -26,9 +27,29 @@ def scene_paint(view: QGraphicsView, ground: Callable[[], QColor]) -> Paint:
     def draw(painter: QPainter, area: QRectF) -> None:
         painter.fillRect(area, ground())
         view.scene().prepareForPaint()  # type: ignore[attr-defined]
-        view.render(painter, area, view.viewport().rect(), Qt.AspectRatioMode.IgnoreAspectRatio)
+        with _drawn_afresh(view):
+            view.render(painter, area, view.viewport().rect(), Qt.AspectRatioMode.IgnoreAspectRatio)
 
     return draw
+
+
+@contextmanager
+def _drawn_afresh(view: QGraphicsView) -> Iterator[None]:
+    """Items draw lines and letters instead of the pictures of themselves that they keep for the screen."""
+    cached = [(item, item.cacheMode()) for item in view.scene().items()]
+    kept = [(item, mode) for item, mode in cached if mode != QGraphicsItem.CacheMode.NoCache]
+    dots = [item for item, _ in cached if hasattr(item, "setExportMode")]
+    for item, _ in kept:
+        item.setCacheMode(QGraphicsItem.CacheMode.NoCache)
+    for item in dots:
+        item.setExportMode(True, {"antialias": True, "resolutionScale": 1.0})
+    try:
+        yield
+    finally:
+        for item in dots:
+            item.setExportMode(False)
+        for item, mode in kept:
+            item.setCacheMode(mode)
 
 
 def picture(size: QSize, paint: Paint) -> QImage:
