@@ -224,7 +224,8 @@ class MainWindow(QMainWindow):
             self._dock("Analysis", self.analysis): BOTTOM,
         }
         self._solid_dock = self._dock("Solid", self.solid_panel)
-        self._solid_dock.setFeatures(QDockWidget.DockWidgetFeature.NoDockWidgetFeatures)
+        movable = QDockWidget.DockWidgetFeature.DockWidgetMovable | QDockWidget.DockWidgetFeature.DockWidgetFloatable
+        self._solid_dock.setFeatures(movable)
         self.addDockWidget(RIGHT, self._solid_dock)
         self._solid_dock.hide()
         analysis = list(self._docks)[-1]

@@ -42,5 +42,5 @@ def _cut(values: Floats, corners: Floats, level: float) -> Floats:
     crossing = (values < level) != (after < level)
     with np.errstate(all="ignore"):
         share = (level - values) / (after - values)
-    places = corners + share[..., None] * (np.roll(corners, -1, axis=1) - corners)
+        places = corners + share[..., None] * (np.roll(corners, -1, axis=1) - corners)
     return np.asarray(places[crossing].reshape(-1, 2, 3))

@@ -5,8 +5,10 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, QStandardPaths, QTimer
+from PySide6.QtWidgets import QDockWidget
 
 from ui.views.picks import Picks
+from ui.words import tr
 
 if TYPE_CHECKING:
     from ui.main_window import MainWindow
@@ -60,10 +62,22 @@ class Display(QObject):
         area.add_panel(self.panel)
         area.grid.visible_changed.connect(self._presenter.redraw_soon)
         self.picks.views_ready()
+        self._fill_undock_menu()
         self._action.setEnabled(True)
         if settings is not None:
             self._action.setChecked(settings.value(OPEN_SETTING) in (True, "true"))
             self.show_appearance(from_text(settings.value(SETTING)))
+
+    def _fill_undock_menu(self) -> None:
+        """Every panel can stand by itself; where it stands is remembered with the layout."""
+        menu = self._window.commands.panels.addMenu(tr("&Undock"))
+        for dock in self._window.findChildren(QDockWidget):
+            if dock.features() & QDockWidget.DockWidgetFeature.DockWidgetFloatable:
+                action = menu.addAction(dock.windowTitle())
+                action.setCheckable(True)
+                action.setChecked(dock.isFloating())
+                action.toggled.connect(dock.setFloating)
+                dock.topLevelChanged.connect(action.setChecked)
 
     def show_appearance(self, appearance: Appearance) -> None:
         """Show everything so from now on."""

@@ -5,8 +5,8 @@ from __future__ import annotations
 from html import escape
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QEvent, QObject, Qt, Signal
-from PySide6.QtGui import QGuiApplication
+from PySide6.QtCore import QEvent, QObject, QPoint, Qt, Signal
+from PySide6.QtGui import QFont, QGuiApplication, QMouseEvent
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QToolButton, QVBoxLayout, QWidget
 
 from gearstudio.catalogue import METHOD_IDS, VARIANTS
@@ -42,10 +42,17 @@ class PickCard(QFrame):
         self.setAccessibleName(tr("Values at the picked point"))
         self._unit = "auto"
         self._shown: tuple[Hover, PickedValues] | None = None
+        self._marker_y = 0.0
+        self._grip: QPoint | None = None
+        self._moved_to: QPoint | None = None
+        self.setToolTip(tr("Drag the card to where it hides nothing"))
         self._title, self._table = QLabel(), QLabel()
         self._title.setTextFormat(Qt.TextFormat.RichText)
         self._table.setTextFormat(Qt.TextFormat.RichText)
-        self._table.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        font = QFont(self.font())
+        font.setPointSizeF(max(font.pointSizeF() * 0.9, 7.0))
+        for label in (self._title, self._table):
+            label.setFont(font)
         copy = self._button("copy", tr("Copy the values as a table"), self._copy)
         close = self._button("close", tr("Take the marker away (Esc)"), self.close_wanted.emit)
         head = QHBoxLayout()
@@ -72,9 +79,9 @@ class PickCard(QFrame):
             self._unit = unit
             self._fill()
 
-    def show_values(self, pin: Hover, values: PickedValues) -> None:
-        """Show what was found at a point."""
-        self._shown = pin, values
+    def show_values(self, pin: Hover, values: PickedValues, marker_y: float) -> None:
+        """Show what was found at a point, whose marker is so far down in the views."""
+        self._shown, self._marker_y = (pin, values), marker_y
         self._fill()
         self.show()
         self.raise_()
@@ -110,17 +117,35 @@ class PickCard(QFrame):
         for index, row in enumerate(self.rows()):
             cell = "th" if index == 0 else "td"
             first, *others = (escape(text) for text in row)
-            numbers = "".join(f"<{cell} align='right' style='padding-left:14px'>{text}</{cell}>" for text in others)
+            numbers = "".join(f"<{cell} align='right' style='padding-left:10px'>{text}</{cell}>" for text in others)
             lines.append(f"<tr><{cell} align='left'>{first}</{cell}>{numbers}</tr>")
         self._table.setText(f"<table cellspacing='0' cellpadding='1'>{''.join(lines)}</table>")
         self._place()
 
     def _place(self) -> None:
+        """Below the marker's half of the views or above it, until the user moves the card."""
         self.adjustSize()
         parent = self.parentWidget()
-        self.move(
-            max(parent.width() - self.width() - MARGIN, MARGIN), max(parent.height() - self.height() - MARGIN, MARGIN)
-        )
+        if self._moved_to is None:
+            low = max(parent.height() - self.height() - MARGIN, MARGIN)
+            place = QPoint(
+                parent.width() - self.width() - MARGIN, low if self._marker_y < parent.height() / 2 else MARGIN
+            )
+        else:
+            place = self._moved_to
+        right, bottom = max(parent.width() - self.width(), 0), max(parent.height() - self.height(), 0)
+        self.move(min(max(place.x(), 0), right), min(max(place.y(), 0), bottom))
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        self._grip = event.position().toPoint()
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        if self._grip is not None:
+            self._moved_to = self.mapToParent(event.position().toPoint()) - self._grip
+            self._place()
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        self._grip = None
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """Stay in the corner."""
@@ -157,4 +182,4 @@ def _scale(values: PickedValues, name: str) -> tuple[str, str, float]:
 def _numbers(one: Curvature | None, scales: list[tuple[str, str, float]]) -> list[str]:
     if one is None:
         return ["∞" for _ in scales]
-    return [f"{getattr(one, name) * factor:.6g}".replace("-", colormap.MINUS) for name, _, factor in scales]
+    return [f"{getattr(one, name) * factor:.5g}".replace("-", colormap.MINUS) for name, _, factor in scales]

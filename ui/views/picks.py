@@ -88,8 +88,8 @@ class Picks(QObject):
         self._newest.request(pin, lambda: _values(results, member, pin))
 
     def _on_done(self, pin: Hover, values: PickedValues) -> None:
-        if pin is self._pin and self.card is not None:
-            self.card.show_values(pin, values)
+        if pin is self._pin and self.card is not None and self._grid is not None:
+            self.card.show_values(pin, values, float(self._grid.overlays.pins[0].geometry().center().y()))
 
     def _on_failed(self, text: str) -> None:
         self._window.messages.show_message("error", text, topic="pick")

@@ -49,9 +49,7 @@ class PictureDialog(QDialog):
         rows = [("views", tr("The views")), ("window", tr("The whole window"))]
         self.subject = QuietChoice(rows, tr("Picture of"), tr("What is in the picture"))
         sizes = [(scale, f"{scale}×") for scale in range(1, MOST_SCALE + 1)]
-        self.scale = QuietChoice(
-            sizes, tr("Scale"), tr("Pixels of the picture for one on the screen")
-        )
+        self.scale = QuietChoice(sizes, tr("Scale"), tr("Pixels of the picture for one on the screen"))
         self.scale.show_choice(2)
         self.transparent = QCheckBox(tr("Transparent background"))
         self.transparent.setToolTip(tr("Clear where nothing is; for slides and papers"))

@@ -88,6 +88,19 @@ def painted(grid: ViewGrid, bar: ColorBar | None, options: PictureOptions) -> St
     image = QImage(width * scale, size.height() * scale, QImage.Format.Format_ARGB32_Premultiplied)
     image.fill(Qt.GlobalColor.transparent)
     painter = QPainter(image)
+    try:
+        yield from _paint(painter, grid, viewport, side, options)
+    finally:
+        painter.end()  # before the picture may go, also when the rest is given up
+        if side is not None:
+            side.deleteLater()
+    return image
+
+
+def _paint(
+    painter: QPainter, grid: ViewGrid, viewport: StillViewport, side: ColorBar | None, options: PictureOptions
+) -> Generator[float, None, None]:
+    size, scale = grid.size(), options.scale
     painter.setRenderHints(QPainter.RenderHint.Antialiasing | QPainter.RenderHint.SmoothPixmapTransform)
     painter.scale(scale, scale)
     if not options.transparent:
@@ -108,9 +121,6 @@ def painted(grid: ViewGrid, bar: ColorBar | None, options: PictureOptions) -> St
             back = QColor((DARK if grid.dark else LIGHT).surface)
             painter.fillRect(QRectF(size.width(), 0, side.width(), size.height()), back)
         _paint_widget(painter, side, QPoint(size.width(), 0))
-        side.deleteLater()
-    painter.end()
-    return image
 
 
 def at_once(steps: Steps) -> QImage:

@@ -31,12 +31,12 @@ class Pointing(QObject):
 
     hovered = Signal(object)
     picked = Signal(object)
+    pin: Hover | None = None
 
     def __init__(self, grid: ViewGrid) -> None:
         super().__init__(grid)
         self._grid = grid
         self.hover: Hover | None = None
-        self.pin: Hover | None = None
         self._pointer: QPointF | None = None
         self._picker = Picker()
         self._timer = QTimer(self, singleShot=True, interval=0)
@@ -54,6 +54,7 @@ class Pointing(QObject):
     def stop(self) -> None:
         """Follow no more."""
         self._timer.stop()
+        self._grid.viewport.removeEventFilter(self)
 
     def first(self, layers: tuple[Layer, ...], pane: int, x: float, y: float) -> Hit | None:
         """The nearest of some surfaces at a place of a pane."""

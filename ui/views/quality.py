@@ -15,6 +15,7 @@ from gearstudio.analysis.curvature import (
     theory_curvature_at,
 )
 from gearstudio.errors import GeometryError
+from gearstudio.nurbs import NurbsSurface
 from gearstudio.results import FlankResult, VariantResult
 from gearstudio.theory.cones import MemberGeometry
 from gearstudio.theory.flank import InvoluteFlank
@@ -89,7 +90,7 @@ def flank_quality(result: FlankResult, flank: InvoluteFlank) -> FlankQuality:
     psi, rho = flank_coordinates(flank, found.points)
     steady = psi > _ABOVE_BASE
     exact = theory_curvature_at(flank, np.where(steady, psi, 1.0), rho)
-    lines = _line_curvatures(result, u[start:], v, found.normals)
+    lines = line_curvatures(result.surface, u[start:], v, found.normals)
 
     def whole(values: Floats) -> Floats:
         return np.concatenate([np.full((start, *values.shape[1:]), np.nan), np.where(steady, values, np.nan)])
@@ -102,9 +103,9 @@ def _named(found: CurvatureMap, whole: object) -> dict[str, Floats]:
     return {name: whole(np.asarray(getattr(found, name))) for name in NAMES}  # type: ignore[operator]
 
 
-def _line_curvatures(result: FlankResult, u: Floats, v: Floats, normals: Floats) -> tuple[Floats, Floats]:
-    """L/E and N/G of the fundamental forms, shape (n_u, n_v) each."""
-    _, (along_u, along_v, second_u, _, second_v) = surface_derivatives(result.surface, u, v)
+def line_curvatures(surface: NurbsSurface, u: Floats, v: Floats, normals: Floats) -> tuple[Floats, Floats]:
+    """Normal curvature of the parameter lines along u and v, L/E and N/G of the fundamental forms, (n_u, n_v) each."""
+    _, (along_u, along_v, second_u, _, second_v) = surface_derivatives(surface, u, v)
 
     def curvature(first: Floats, second: Floats) -> Floats:
         return np.asarray(-np.sum(second * normals, axis=-1) / np.sum(first * first, axis=-1))
