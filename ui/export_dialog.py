@@ -93,6 +93,7 @@ class ExportDialog(QDialog):
         self._folder.textChanged.connect(self._refresh)
         self.options.changed.connect(self._refresh)
         self._refresh()
+        self.resize(max(self.sizeHint().width(), 760), 600)
 
     @property
     def formats(self) -> tuple[str, ...]:
