@@ -157,7 +157,7 @@ class Envelope:
             leaning.append(change - outward * dot(change, outward)[..., None])
         before = dot(cross(w.by_psi, w.by_rho), w.normal)
         with np.errstate(divide="ignore", invalid="ignore"):
-            area = dot(cross(by[0], by[1]), normal) / before
+            area = np.where(before == 0, np.inf, dot(cross(by[0], by[1]), normal) / before)
         wheel_turn = self._wheel_turn(turn)
         own = [self._to_pinion(x, wheel_turn) for x in (point, *by, outward, *leaning)]
         return PinionPoint(own[0], own[1], own[2], own[3], own[4], own[5], area, wheel_turn)

@@ -170,11 +170,18 @@ def _refuse_small_cutter(pair: HypoidPair) -> None:
     if not near < wheel.inner_cone_distance < wheel.outer_cone_distance < far:
         given, largest = pair.given, 5 * wheel.outer_cone_distance
         found = nearest(given.cutter_radius, largest, lambda radius: _crosses(replace(given, cutter_radius=radius)))
-        remedy = "use a smaller spiral angle" if found is None else f"use at least {found:.6g} mm"
+        remedy = _smaller_spiral(given) if found is None else f"use at least {found:.6g} mm"
         raise HypoidError(
             "lengthwise.cutter_radius",
             f"a cutter of radius {given.cutter_radius:.6g} mm does not cross the wheel's whole face width; {remedy}",
         )
+
+
+def _smaller_spiral(given: HypoidInput) -> str:
+    found = nearest(given.spiral_angle_deg, 0.0, lambda angle: _crosses(replace(given, spiral_angle_deg=angle)))
+    if found is None:
+        return "use a smaller offset or face width"
+    return f"no radius does with this spiral angle; use a spiral angle of at most {found:.4g}°"
 
 
 def _crosses(given: HypoidInput) -> bool:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
-from math import degrees
+from math import copysign, degrees
 
 import numpy as np
 
@@ -19,11 +19,11 @@ from gearstudio.theory.hypoid.undercut import LEAST_AREA_RATIO, worst_place
 
 MEMBERS: tuple[MemberName, MemberName] = ("pinion", "wheel")
 
-_STEP = 0.02
-_STEP_DEG, _STEEPEST_DEG = 2.5, 30.0
+_STEP, _FINE_STEPS = 0.04, 4
+_STEP_DEG, _STEEPEST_DEG = 5.0, 30.0
 _RAISED = (3.0, 2.5, 2.25, 2.0, 1.75, 1.5, 1.25, 1.0, 0.75, 0.5, 0.25)
-_SHALLOWER = (0.9, 0.8, 0.7, 0.6)
-_COARSE = (0.5, 0.4, 0.35, 0.3, 0.25, 0.2, 0.1)
+_SHALLOWER = (0.9, 0.75, 0.6)
+_COARSE = (0.5, 0.4, 0.3, 0.25, 0.2, 0.1)
 
 
 def sound_pinion_flank(pair: HypoidPair, name: FlankName, raised: float = 0.0) -> ConjugateFlank:
@@ -35,9 +35,9 @@ def sound_pinion_flank(pair: HypoidPair, name: FlankName, raised: float = 0.0) -
         The flank is undercut, or its tip asks for points inside the wheel's base cone: with where, and what cures it.
     """
     side = pair.side("pinion", name)
-    trouble = _trouble(pair, side, raised)
-    if trouble is not None:
-        raise HypoidError("depth.mean_addendum_factor", f"the pinion's {name} flank {trouble}; {_cure(pair)}")
+    wrong = trouble(pair, side, raised)
+    if wrong is not None:
+        raise HypoidError("depth.mean_addendum_factor", f"the pinion's {name} flank {wrong}; {_cure(pair)}")
     return pinion_flank(pair, name, raised)
 
 
@@ -49,7 +49,7 @@ def deepest(pair: HypoidPair, side: int) -> float:
     v = np.linspace(0.0, 1.0, 9)
     for share in _RAISED:
         raised = share * pair.depth.clearance
-        if _trouble(pair, side, raised) is None:
+        if trouble(pair, side, raised) is None:
             flank = pinion_flank(pair, pair.flank_name("pinion", side), raised)
             m = flank.member
             root = m.limit_angle(m.root_limit, m.inner_cone_distance + v * m.face_width)
@@ -60,7 +60,7 @@ def deepest(pair: HypoidPair, side: int) -> float:
 
 def is_sound(pair: HypoidPair) -> bool:
     """Whether both conjugate flanks are regular over their working areas and no tooth is pointed."""
-    return all(_trouble(pair, side, 0.0) is None for side in (1, -1)) and all(
+    return all(trouble(pair, side, 0.0) is None for side in (1, -1)) and all(
         least_top_land(pair, name) > 0 for name in MEMBERS
     )
 
@@ -81,13 +81,13 @@ def least_top_land(pair: HypoidPair, name: MemberName) -> float:
     return float(np.min(widths[0] + widths[1]))
 
 
-def _trouble(pair: HypoidPair, side: int, raised: float) -> str | None:
-    """What is wrong with the flank on a side, or None."""
+def trouble(pair: HypoidPair, side: int, raised: float = 0.0) -> str | None:
+    """What is wrong with the pinion's flank on a side, or None; without the search for a cure."""
     worst = worst_place(pair, side, raised)
     if not worst.harmless:
         end = "toe" if worst.place < 1 / 3 else "heel" if worst.place > 2 / 3 else "middle"
         return (
-            f"is undercut by the wheel's tips near the {end}, {worst.rho:.5g} mm from the pitch apex, polar angle "
+            f"is undercut near the {end}, {worst.rho:.5g} mm from the pitch apex, polar angle "
             f"{degrees(worst.polar_angle):.5g}° (area ratio {worst.area_ratio:.3g}, must exceed {LEAST_AREA_RATIO:g})"
         )
     flank = pinion_flank(pair, pair.flank_name("pinion", side), raised)
@@ -113,6 +113,9 @@ def _cure(pair: HypoidPair) -> str:
 
     best = _first(lambda factor: _sound_with(pair, shifted(factor)), _away(now, 0.0, 1.0))
     if best is not None:
+        step = copysign(_STEP / _FINE_STEPS, now - best)
+        back = [round(best + k * step, 3) for k in range(_FINE_STEPS - 1, 0, -1)]
+        best = _first(lambda factor: _sound_with(pair, shifted(factor)), back) or best
         shift = pair.given.depth.depth_factor * (0.5 - best)
         return f"use a mean addendum factor of {best:.3f} (a profile shift of the pinion of {shift:.3g})"
     near = sorted(_COARSE, key=lambda x: abs(x - now))
@@ -121,18 +124,18 @@ def _cure(pair: HypoidPair) -> str:
         for factor in near:
             if _sound_with(pair, replace(shifted(factor), pressure_angle_deg=float(angle))):
                 return f"use a pressure angle of {angle:.4g}° with a mean addendum factor of {factor:.3g}"
-    for depth in (share * pair.given.depth.depth_factor for share in _SHALLOWER):
+    for depth in (round(share * pair.given.depth.depth_factor, 2) for share in _SHALLOWER):
         for factor in near:
             wanted = shifted(factor)
             if _sound_with(pair, replace(wanted, depth=replace(wanted.depth, depth_factor=depth))):
-                return f"use a depth factor of {depth:.3g} with a mean addendum factor of {factor:.3g}"
+                return f"use a depth factor of {depth:.2f} with a mean addendum factor of {factor:.3g}"
     return "use more pinion teeth or a larger spiral angle"
 
 
 def _away(start: float, low: float, high: float) -> list[float]:
     """Values at growing distance from a start, both ways."""
     grid = np.arange(low, high + _STEP / 2, _STEP)
-    return [float(x) for x in grid[np.argsort(np.abs(grid - start))] if abs(x - start) > _STEP / 4]
+    return [round(float(x), 3) for x in grid[np.argsort(np.abs(grid - start))] if abs(x - start) > _STEP / 4]
 
 
 def _first(works: Callable[[float], bool], values: list[float]) -> float | None:

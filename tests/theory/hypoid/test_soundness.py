@@ -8,6 +8,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from gearstudio.theory.hypoid.conjugate import envelope
 from gearstudio.theory.hypoid.inputs import DepthInput, HypoidError, HypoidInput
 from gearstudio.theory.hypoid.pair import hypoid_pair
 from gearstudio.theory.hypoid.soundness import is_sound, least_top_land, sound_pair, sound_pinion_flank
@@ -38,7 +39,7 @@ def cured(given: HypoidInput, message: str) -> HypoidInput:
 def test_undercut_is_found_and_cured(given: HypoidInput) -> None:
     pair = hypoid_pair(given)
     assert not is_sound(pair)
-    with pytest.raises(HypoidError, match="undercut by the wheel's tips near the") as caught:
+    with pytest.raises(HypoidError, match="undercut near the") as caught:
         sound_pinion_flank(pair, "concave")
     sound = sound_pair(cured(given, str(caught.value)))
     assert min(worst_place(sound, side).area_ratio for side in (1, -1)) > 0
@@ -75,3 +76,12 @@ def test_tips_that_reach_inside_the_wheels_base_cone(offset: float) -> None:
     with pytest.raises(HypoidError, match="inside its base cone with its tips") as caught:
         sound_pair(given)
     sound_pair(cured(given, str(caught.value)))
+
+
+def test_wheels_base_cone_is_no_undercut() -> None:
+    """J is infinite on the wheel's base cone, whatever the sign of a rounded zero."""
+    for side in (1, -1):
+        made = envelope(hypoid_pair(HypoidInput(8, 8, 0.0, 1700.0, 320.0, 17.0, 1000.0)), side)
+        member = made.wheel.member
+        rho = np.linspace(member.inner_cone_distance, member.outer_cone_distance, 31)
+        assert np.all(made.made(0.0, rho).area_ratio == np.inf)
