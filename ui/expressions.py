@@ -107,7 +107,7 @@ def _parse(text: str) -> ast.Expression:
         if isinstance(node, ast.Name) and node.id.lstrip("_") not in KNOWN:
             raise ExpressionError(tr("“{name}” is not known here", name=node.id))
         if isinstance(node, ast.Constant):
-            node.value = float(node.value) if abs(node.value) < 1e300 else math.inf  # type: ignore[arg-type, operator]
+            node.value = float(node.value) if abs(node.value) < 1e300 else math.inf  # type: ignore[arg-type]
     return tree
 
 

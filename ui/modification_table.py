@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import pairwise
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QWidget
@@ -106,11 +107,9 @@ class ModificationTable(QWidget):
             grid.addWidget(cell, row, 1 + flanks.index((member, flank)))
             cell.said.connect(self._tell)
         grid.addWidget(self._note, 2 + len(kinds), 0, 1, 1 + len(flanks))
-        for row in range(len(kinds)):
-            for column in range(len(flanks) - 1):
-                before, after = (grid.itemAtPosition(2 + row, 1 + column + step).widget() for step in (0, 1))
-                if isinstance(before, FieldCell) and isinstance(after, FieldCell):
-                    QWidget.setTabOrder(before.field, after.field)
+        by_row = sorted(self.cells, key=lambda cell: kinds.index(cell.spec.path.split(".")[3]))
+        for before, after in pairwise(by_row):
+            QWidget.setTabOrder(before.field, after.field)
         self._tell()
 
     def _tell(self) -> None:

@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from html import escape
 
-from PySide6.QtCore import QEvent, QModelIndex, QObject, QSettings, QSize, Qt
+from PySide6.QtCore import QEvent, QModelIndex, QObject, QPersistentModelIndex, QSettings, QSize, Qt
 from PySide6.QtGui import QKeyEvent, QKeySequence, QPainter, QTextDocument
 from PySide6.QtWidgets import (
     QAbstractItemView,
@@ -26,6 +26,7 @@ from ui.fuzzy import fit
 from ui.theme import tokens
 from ui.words import tr
 
+_Index = QModelIndex | QPersistentModelIndex
 RECENT, MOST_RECENT = "palette/recent", 12
 WIDTH, ROWS, ROW_HEIGHT = 600, 11, 30
 OFFER, MARKUP, KEYS = (Qt.ItemDataRole.UserRole + step for step in range(3))
@@ -147,7 +148,7 @@ class Palette(QDialog):
 class OfferDelegate(QStyledItemDelegate):
     """Paints the title with the letters found in bold, its place muted, and the keys on the right."""
 
-    def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: QModelIndex) -> None:
+    def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: _Index) -> None:
         self.initStyleOption(option, index)
         option.text = ""
         option.widget.style().drawControl(QStyle.ControlElement.CE_ItemViewItem, option, painter, option.widget)
@@ -169,7 +170,7 @@ class OfferDelegate(QStyledItemDelegate):
         painter.setPen(option.palette.placeholderText().color())
         painter.drawText(area, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter, keys)
 
-    def sizeHint(self, option: QStyleOptionViewItem, index: QModelIndex) -> QSize:
+    def sizeHint(self, option: QStyleOptionViewItem, index: _Index) -> QSize:
         return QSize(option.rect.width(), ROW_HEIGHT)
 
 
