@@ -128,6 +128,8 @@ class SolidResult:
         Least and greatest coordinates [mm].
     seconds : float
         Building and checking alone.
+    end_chamfer : float
+        Of the edges between tip and ends of the teeth [mm]; the faces go on beyond.
     """
 
     member: str
@@ -145,6 +147,7 @@ class SolidResult:
     properties: MassProperties
     box: Floats
     seconds: float
+    end_chamfer: float = 0.0
 
 
 @dataclass(frozen=True)

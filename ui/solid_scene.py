@@ -6,27 +6,27 @@ teeth. Neighbouring patches share the places of their points, so that all of the
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
 
-from gearstudio.nurbs import NurbsSurface, basis_matrix
 from gearstudio.results import FaceResult, SolidResult
+from gearstudio.theory.chamfer import EndChamfer, end_chamfers
 from gearstudio.theory.cones import MemberGeometry
 from gearstudio.theory.modified import flank_on
 from ui.grids import grid_triangles, path_segments, turned
 from ui.meshes import Mesh, copied_cells, copies, joined, stitched, turned_to
+from ui.solid_patches import Patch, patch_mesh, pitch_patches
 
 Floats = NDArray[np.float64]
 Indices = NDArray[np.int64]
 
 FINE, COARSE = 1.5e-4, 1.2e-3
 """Chordal tolerances, of the radius of the gear."""
-_PROBE = 17
 _MOST = 24
-_MOST_TRIANGLES = 260_000
 _CREASE = np.cos(np.radians(9.0))
 
 
@@ -80,90 +80,17 @@ def gear_mesh(result: SolidResult, member: MemberGeometry, fineness: float = FIN
     """
     tolerance = fineness * gear_radius(result)
     azimuths = 2 * np.pi / result.teeth * np.arange(result.teeth)
-    patches = _patches(result, tolerance)
+    chamfers = end_chamfers(member, result.end_chamfer)
+    patches = pitch_patches(result, chamfers, tolerance)
     is_flank = [face.kind == "flank" for face in result.faces]
-    meshes = [_patch_mesh(patch) for patch in patches]
+    meshes = [patch_mesh(patch) for patch in patches]
     flanks = joined([mesh for mesh, flank in zip(meshes, is_flank, strict=True) if flank])
     others = joined([mesh for mesh, flank in zip(meshes, is_flank, strict=True) if not flank])
-    body, rings = _body(result, patches, azimuths, tolerance)
-    edges, segments = _edges(patches, azimuths, rings)
+    body, rings, arcs = _body(result, patches, chamfers, azimuths, tolerance)
+    edges, segments = _edges(patches, azimuths, rings, arcs)
     off = [_deviation(member, f, p.points) for f, p, x in zip(result.faces, patches, is_flank, strict=True) if x]
     deviation = np.tile(np.concatenate(off) if off else np.empty(0), result.teeth)
     return GearMesh(copies(flanks, azimuths), copies(others, azimuths), body, deviation, edges, segments)
-
-
-# ---- faces of one pitch -----------------------------------------------------------------------------------
-
-
-@dataclass(frozen=True, eq=False)
-class _Patch:
-    """A face on a grid: points and unit normals (n_u, n_v, 3)."""
-
-    points: Floats
-    normals: Floats
-
-
-def _patches(result: SolidResult, tolerance: float) -> list[_Patch]:
-    counts = [_counts(face.surface, tolerance) for face in result.faces]
-    along = max(n_v for _, n_v in counts)
-    across = [n_u for n_u, _ in counts]
-    heavy = 2 * along * sum(across) * result.teeth / _MOST_TRIANGLES
-    if heavy > 1:
-        along = max(3, round(along / heavy))
-    return [_patch(face.surface, n + 1, along + 1) for face, n in zip(result.faces, across, strict=True)]
-
-
-def _counts(surface: NurbsSurface, tolerance: float) -> tuple[int, int]:
-    """Segments in u and v that keep a chord within the tolerance."""
-    grid = surface.uniform_grid(_PROBE, _PROBE)
-    found = []
-    for curves in (np.swapaxes(grid, 0, 1), grid):
-        bend = curves[:, 2:] - 2 * curves[:, 1:-1] + curves[:, :-2]
-        chord = curves[:, 2:] - curves[:, :-2]
-        length = np.einsum("ijk,ijk->ij", chord, chord)
-        along = np.einsum("ijk,ijk->ij", bend, chord) / np.maximum(length, np.finfo(float).tiny)
-        sag = np.linalg.norm(bend - along[..., None] * chord, axis=-1).max() / 8
-        found.append(int(np.clip(np.ceil((_PROBE - 1) * np.sqrt(sag / tolerance)), 1, _MOST)))
-    return found[0], found[1]
-
-
-def _patch(surface: NurbsSurface, n_u: int, n_v: int) -> _Patch:
-    u0, u1, v0, v1 = surface.bounds
-    u, v = np.linspace(u0, u1, n_u), np.linspace(v0, v1, n_v)
-    points, along_u, along_v = _with_derivatives(surface, u, v)
-    normals = np.cross(along_u, along_v)
-    length = np.linalg.norm(normals, axis=-1, keepdims=True)
-    flat = length[..., 0] <= 1e-9 * length.max(initial=0.0)
-    if np.any(flat):  # an edge where the surface is not regular takes its neighbours' normals
-        inner = np.cross(*_with_derivatives(surface, u + 1e-4 * (0.5 - u) * 2, v + 1e-4 * (0.5 - v) * 2)[1:])
-        normals = np.where(flat[..., None], inner, normals)
-        length = np.linalg.norm(normals, axis=-1, keepdims=True)
-    return _Patch(points, normals / np.maximum(length, np.finfo(float).tiny))
-
-
-def _with_derivatives(surface: NurbsSurface, u: Floats, v: Floats) -> tuple[Floats, Floats, Floats]:
-    """Points and both first derivatives on a grid."""
-    bu, du = (basis_matrix(u, surface.knots_u, surface.degree_u, order) for order in (0, 1))
-    bv, dv = (basis_matrix(v, surface.knots_v, surface.degree_v, order) for order in (0, 1))
-    weights = np.ones(surface.poles.shape[:2]) if surface.weights is None else surface.weights
-    poles = np.concatenate([surface.poles * weights[..., None], weights[..., None]], axis=-1)
-    bases = ((bu, bv), (du, bv), (bu, dv))
-    value, by_u, by_v = (np.einsum("ai,ijk,bj->abk", a, poles, b, optimize=True) for a, b in bases)
-    weight = value[..., 3:]
-    points = value[..., :3] / weight
-    return points, (by_u[..., :3] - by_u[..., 3:] * points) / weight, (by_v[..., :3] - by_v[..., 3:] * points) / weight
-
-
-def _patch_mesh(patch: _Patch) -> Mesh:
-    """Quadrilaterals cut along their shorter diagonals, which lie nearer to a twisted face."""
-    rows, cols = patch.points.shape[:2]
-    cells = grid_triangles(rows, cols)
-    usual = patch.points[:-1, 1:] - patch.points[1:, :-1]
-    other = patch.points[1:, 1:] - patch.points[:-1, :-1]
-    if np.linalg.norm(other, axis=-1).sum() < np.linalg.norm(usual, axis=-1).sum():
-        backwards = np.arange(rows * cols).reshape(rows, cols)[:, ::-1].ravel()
-        cells = backwards[cells][:, ::-1]
-    return Mesh(patch.points.reshape(-1, 3), patch.normals.reshape(-1, 3), cells)
 
 
 def _deviation(member: MemberGeometry, face: FaceResult, points: Floats) -> Floats:
@@ -173,24 +100,51 @@ def _deviation(member: MemberGeometry, face: FaceResult, points: Floats) -> Floa
 # ---- ends and body ----------------------------------------------------------------------------------------
 
 
-def _body(result: SolidResult, patches: list[_Patch], azimuths: Floats, tolerance: float) -> tuple[Mesh, list[Floats]]:
-    """End faces and turned faces, and the circles where they meet at an angle."""
+def _body(
+    result: SolidResult,
+    patches: list[Patch],
+    chamfers: Sequence[EndChamfer],
+    azimuths: Floats,
+    tolerance: float,
+) -> tuple[Mesh, list[Floats], list[Floats]]:
+    """End faces, chamfers and turned faces; the circles where they meet at an angle; a pitch's arcs below chamfers."""
     outline = result.outline
     step = 2 * np.sqrt(2 * tolerance / max(float(outline[:, 0].max()), tolerance))
     count = result.teeth * int(np.ceil(2 * np.pi / result.teeth / min(step, 0.6)))
     around = 2 * np.pi / count * np.arange(count)
-    heel, toe = (_profile(patches, azimuths, end) for end in (-1, 0))
-    meshes = [_end(heel, outline[0], around, 1.0, result.spherical_ends, tolerance)]
+    pitches = {end: np.concatenate([patch.points[:-1, end] for patch in patches]) for end in (-1, 0)}
+    made, arcs = [], []
+    for chamfer in chamfers:
+        end = -chamfer.end
+        mesh, place, arc = _chamfer(pitches[end], chamfer)
+        pitches[end][place] = arc
+        made.append(copies(mesh, azimuths))
+        arcs.append(arc)
+    heel, toe = (turned(pitches[end], azimuths).reshape(-1, 3) for end in (-1, 0))
+    meshes = [*made, _end(heel, outline[0], around, 1.0, result.spherical_ends, tolerance)]
     meshes += [_strip(here, there, around) for here, there in pairwise(outline)]
     meshes.append(_end(toe, outline[-1], around, -1.0, result.spherical_ends, tolerance))
     rings = [_ring(point, around) for point in outline if point[0] > 0]
-    return joined(meshes), rings
+    return joined(meshes), rings, arcs
 
 
-def _profile(patches: list[_Patch], azimuths: Floats, end: int) -> Floats:
-    """The closed loop of tooth profiles at toe (0) or heel (-1), every point once, shape (n, 3)."""
-    pitch = np.concatenate([patch.points[:-1, end] for patch in patches])
-    return turned(pitch, azimuths).reshape(-1, 3)
+def _chamfer(pitch: Floats, chamfer: EndChamfer) -> tuple[Mesh, slice, Floats]:
+    """The chamfer of a tooth below a part of its profile (n, 3): that part, and the arc that takes its place."""
+    size = float(np.hypot(*np.subtract(chamfer.face, chamfer.foot)))
+    cut = np.flatnonzero(chamfer.beyond(pitch) > -1e-4 * size)
+    place = slice(int(cut[0]), int(cut[-1]) + 1)
+    upper = pitch[place]
+    azimuth = np.unwrap(np.arctan2(upper[:, 1], upper[:, 0]))
+    arc = _ring(np.array(chamfer.foot), np.linspace(azimuth[0], azimuth[-1], len(upper)))
+    arc[[0, -1]] = upper[[0, -1]]
+    points = np.concatenate([upper, arc])
+    angle = np.arctan2(points[:, 1], points[:, 0])
+    n_r, n_z = chamfer.normal
+    normals = np.stack([n_r * np.cos(angle), n_r * np.sin(angle), np.full_like(angle, n_z)], axis=-1)
+    cells = grid_triangles(2, len(upper))
+    corners = points[cells]
+    flat = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=-1) == 0
+    return turned_to(Mesh(points, normals, cells[~flat])), place, arc
 
 
 def _ring(point: Floats, around: Floats) -> Floats:
@@ -250,7 +204,7 @@ def _row_cells(n: int) -> Indices:
 # ---- edges ------------------------------------------------------------------------------------------------
 
 
-def _edges(patches: list[_Patch], azimuths: Floats, rings: list[Floats]) -> tuple[Floats, Indices]:
+def _edges(patches: list[Patch], azimuths: Floats, rings: list[Floats], arcs: list[Floats]) -> tuple[Floats, Indices]:
     """Where two faces meet at an angle: along the teeth, round their ends and round the body."""
     paths = []
     for before, patch in zip([patches[-1], *patches[:-1]], patches, strict=True):
@@ -261,6 +215,7 @@ def _edges(patches: list[_Patch], azimuths: Floats, rings: list[Floats]) -> tupl
             paths.append(patch.points[0])
     for end in (0, -1):
         paths += [patch.points[:, end] for patch in patches]
+    paths += arcs
     pitch = np.concatenate(paths)
     one = path_segments(tuple(len(path) for path in paths))
     points = turned(pitch, azimuths).reshape(-1, 3)

@@ -157,4 +157,5 @@ def solid_result(
         properties=MassProperties(check.volume, check.area, check.centre, check.inertia),
         box=check.box,
         seconds=seconds,
+        end_chamfer=gear.outline.sizes.end_chamfer,
     )

@@ -10,11 +10,11 @@ from numpy.typing import NDArray
 from gearstudio.errors import GeometryError
 from gearstudio.methods.grafts import placed
 from gearstudio.methods.rings import SHARE, TWIST_SHARE, Points, Rings
-from gearstudio.methods.spread import Spread
 from gearstudio.methods.tooth import Tooth
 from gearstudio.nurbs import NurbsSurface
 from gearstudio.results import Mesh
 from gearstudio.theory.cones import MemberGeometry
+from gearstudio.theory.spread import Spread
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]

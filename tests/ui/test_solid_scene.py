@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import lru_cache
 
 import numpy as np
 import pytest
 
+from gearstudio.analysis.volume import gear_volume
 from gearstudio.design import Design
 from gearstudio.presets import PRESETS
 from gearstudio.results import SolidResult
+from gearstudio.theory.chamfer import end_chamfers
 from gearstudio.theory.cones import MemberGeometry, PairGeometry, pair_geometry
 from gearstudio.theory.flank import InvoluteFlank
 from gearstudio.theory.pair import pinion_placement, wheel_placement
@@ -218,3 +221,20 @@ def test_both_levels_are_layers_that_move_and_only_flanks_carry_the_deviation() 
     assert [layer.part for layer in colored] == ["wheel flanks fine", "wheel flanks coarse"]
     plain = gear_layers(gear, SolidOptions(edges=False))
     assert all(layer.kind == "surface" and layer.scalars is None for layer in plain)
+
+
+@pytest.mark.parametrize("ends", ["back_cone", "sphere"])
+def test_chamfers_are_drawn_and_all_meshes_still_close_each_other(ends: str) -> None:
+    data = design("default").model_dump()
+    data["tooth"]["ends"] = ends
+    made = Design.model_validate(data)
+    geometry = pair_geometry(made).pinion
+    plain, chamfered = (replace(solid_of(made, "pinion"), end_chamfer=length) for length in (0.0, 3.0))
+    whole, cut = (gear_mesh(result, geometry) for result in (plain, chamfered))
+    wanted = [gear_volume(geometry, plain.outline, end_chamfers(geometry, length)) for length in (0.0, 3.0)]
+    assert cut.volume / whole.volume == pytest.approx(wanted[1] / wanted[0], abs=5e-4)
+    assert wanted[1] < 0.995 * wanted[0]
+    for chamfer in end_chamfers(geometry, 3.0):
+        assert chamfer.beyond(cut.flanks.points).max() < 1e-5 < chamfer.beyond(whole.flanks.points).max()
+    vectors = sum((areas(part).sum(axis=0) for part in (cut.flanks, cut.teeth, cut.body)), np.zeros(3))
+    assert np.abs(vectors).max() < 1e-3

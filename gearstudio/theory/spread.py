@@ -36,16 +36,22 @@ class Spread:
         """About so many steps along u, divided among the spans between the breaks."""
         return [max(1, int(np.ceil(count * share - 1e-6))) for share in np.diff(self.breaks)]
 
-    def grid(self, steps: Sequence[int], share: Floats) -> Floats:
-        """Points at steps in every span along u and shares of the way from toe to heel, shape (n, m, 3)."""
+    def places(self, steps: Sequence[int]) -> Floats:
+        """u at steps in every span between the breaks, both ends included."""
         spans = zip(self.breaks[:-1], self.breaks[1:], steps, strict=True)
-        u = np.append(np.concatenate([np.linspace(a, b, n, endpoint=False) for a, b, n in spans]), 1.0)
-        if not self.cuts:
-            return self.surface.grid(u, share)
+        return np.append(np.concatenate([np.linspace(a, b, n, endpoint=False) for a, b, n in spans]), 1.0)
+
+    def between(self, u: Floats, share: Floats) -> Floats:
+        """v at shares of the way from toe to heel at each u, shape (len(u), len(share))."""
         low, high = np.zeros_like(u), np.ones_like(u)
         for cut in self.cuts:
             if cut.heel:
                 high = cut.v(u)
             else:
                 low = cut.v(u)
-        return self.surface.points(u[:, None], low[:, None] + share * (high - low)[:, None])
+        return np.asarray(low[:, None] + share * (high - low)[:, None])
+
+    def grid(self, steps: Sequence[int], share: Floats) -> Floats:
+        """Points at steps in every span along u and shares of the way from toe to heel, shape (n, m, 3)."""
+        u = self.places(steps)
+        return self.surface.points(u[:, None], self.between(u, share)) if self.cuts else self.surface.grid(u, share)
