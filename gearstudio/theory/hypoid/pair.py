@@ -153,15 +153,22 @@ def hypoid_pair(given: HypoidInput) -> HypoidPair:
     depth = tooth_depth(given, cones)
     pair = HypoidPair(given, cones, depth, bodies(given, cones, depth))
     _refuse_small_cutter(pair)
-    for side in (1, -1):
-        angle = pair.normal_pressure_angle(side)
-        if not 0 < angle < pi / 4:
-            raise HypoidError(
-                "tooth.limit_pressure_angle_factor",
-                f"the flanks' normal pressure angles would be {angle * 180 / pi:.4g}° and "
-                f"{pair.normal_pressure_angle(-side) * 180 / pi:.4g}°, outside 0° to 45°; use a factor nearer to 0",
-            )
+    _refuse_lopsided_flanks(pair)
     return pair
+
+
+def _refuse_lopsided_flanks(pair: HypoidPair) -> None:
+    """Refuse normal pressure angles outside 0 to 45 degrees."""
+    angles = [pair.normal_pressure_angle(side) for side in (1, -1)]
+    if min(angles) > 0 and max(angles) < pi / 4:
+        return
+    middle = radians(pair.given.pressure_angle_deg)
+    most = min(middle, pi / 4 - middle) / abs(pair.cones.limit_pressure_angle)
+    raise HypoidError(
+        "tooth.limit_pressure_angle_factor",
+        f"the flanks' normal pressure angles would be {angles[0] * 180 / pi:.4g}° and {angles[1] * 180 / pi:.4g}°, "
+        f"outside 0° to 45°; use a factor of at most {int(most * 100) / 100:g}",
+    )
 
 
 def _refuse_small_cutter(pair: HypoidPair) -> None:

@@ -85,3 +85,13 @@ def test_wheels_base_cone_is_no_undercut() -> None:
         member = made.wheel.member
         rho = np.linspace(member.inner_cone_distance, member.outer_cone_distance, 31)
         assert np.all(made.made(0.0, rho).area_ratio == np.inf)
+
+
+def test_lopsided_flanks_are_refused() -> None:
+    given = replace(AXLE, offset=60.0, pressure_angle_deg=10.0, limit_pressure_angle_factor=3.0)
+    with pytest.raises(HypoidError, match="outside 0° to 45°") as caught:
+        hypoid_pair(given)
+    most = float(str(caught.value).split()[-1])
+    hypoid_pair(replace(given, limit_pressure_angle_factor=most))
+    with pytest.raises(HypoidError):
+        hypoid_pair(replace(given, limit_pressure_angle_factor=most + 0.02))
