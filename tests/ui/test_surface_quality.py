@@ -43,6 +43,8 @@ class TestCurvature:
                 inner = quality.values(curvature, "relative")[8:]
                 assert np.nanpercentile(np.abs(inner), 90) < 2.0
                 difference = quality.values(curvature, "absolute")
+                share = 100 * difference / np.abs(quality.theory[curvature])
+                assert quality.values(curvature, "relative") == pytest.approx(share, nan_ok=True)
                 assert difference == pytest.approx(quality.made[curvature] - quality.theory[curvature], nan_ok=True)
 
     def test_is_not_told_where_it_is_infinite(self, made):

@@ -93,6 +93,7 @@ def _show_flanks(design: Design, args: argparse.Namespace, progress: Progress, g
     from ui.views.dressing import dressed
     from ui.views.quality import variant_quality
     from ui.views.quantities import quantity_of, typical_range
+    from ui.words import tr
 
     member, quantity = pair_geometry(design).member(args.member), quantity_of(grid.appearance)
     panels, results = [], []
@@ -100,7 +101,8 @@ def _show_flanks(design: Design, args: argparse.Namespace, progress: Progress, g
         result = BuildJob(design, args.member, method, args.variant).run(progress)
         quality = None if quantity.is_deviation else variant_quality(result, member)
         layers = dressed(result_layers(result), result, quality, grid.appearance, 1.0)
-        words = view_title(Key(args.member, method, args.variant)), result_words(result)
+        below = result_words(result) if quantity.is_deviation else tr(quantity.title)
+        words = view_title(Key(args.member, method, args.variant)), below
         panels.append(Panel(method, *words, (*member_layers(member), *layers)))
         results.append(result)
     if quantity.is_deviation:
