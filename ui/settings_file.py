@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import configparser
-import contextlib
 import logging
 import os
 from dataclasses import dataclass
@@ -61,22 +60,23 @@ def put_aside(path: Path) -> Path | None:
 
 def damage(path: Path) -> str:
     """What makes a settings file unusable; empty when it is good or missing."""
-    with contextlib.suppress(FileNotFoundError):
-        try:
-            if path.stat().st_size > LARGEST:
-                return "far too large"
-            text = path.read_bytes().decode("utf-8")
-        except UnicodeDecodeError:
-            return "not text"
-        except OSError as error:
-            return str(error)
-        if "\0" in text:
-            return "not text"
-        parser = configparser.RawConfigParser(strict=False, allow_no_value=False, delimiters=("=",))
-        try:
-            parser.read_string(text)
-        except configparser.Error as error:
-            return type(error).__name__
+    try:
+        if path.stat().st_size > LARGEST:
+            return "far too large"
+        text = path.read_bytes().decode("utf-8")
+    except FileNotFoundError:
+        return ""
+    except UnicodeDecodeError:
+        return "not text"
+    except OSError as error:
+        return str(error)
+    if "\0" in text:
+        return "not text"
+    parser = configparser.RawConfigParser(strict=False, delimiters=("=",))
+    try:
+        parser.read_string(text)
+    except configparser.Error as error:
+        return type(error).__name__
     return ""
 
 

@@ -43,7 +43,9 @@ def bench(qtbot, theme) -> Iterator[Bench]:
 
 
 def test_good_settings_are_kept() -> None:
-    settings = open_settings().settings
+    opened = open_settings()
+    assert not opened.complaint, "a first start has no settings, and that is no damage"
+    settings = opened.settings
     settings.setValue("geometry", QByteArray(bytes(range(256))))
     settings.setValue("files/recent", ["/a = b/ü.gear.toml", "/c [d];x.gear.toml"])
     settings.setValue("odd key/ä=1", {"a": 1.5})
