@@ -7,8 +7,7 @@ from argparse import Namespace
 from collections.abc import Sequence
 from pathlib import Path
 
-COMMANDS = ("info", "compare", "points", "export", "verify", "contact", "measure", "screenshot")
-COMMANDS_TO_COME = ("report",)
+COMMANDS = ("info", "compare", "points", "export", "verify", "contact", "measure", "report", "screenshot")
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -47,12 +46,9 @@ def _looks_like_a_command(word: str) -> bool:
 
 
 def _refuse(word: str) -> int:
-    if word in COMMANDS_TO_COME:
-        reason = f"{word}: this command is not available yet"
-    else:
-        from gearstudio.cli import nearest_command
+    from gearstudio.cli import nearest_command
 
-        reason = f"{word}: no such command or design file; the nearest command is {nearest_command(word)}"
+    reason = f"{word}: no such command or design file; the nearest command is {nearest_command(word)}"
     print(f"{reason}; commands: {', '.join(COMMANDS)}", file=sys.stderr)
     return 2
 

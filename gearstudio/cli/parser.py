@@ -12,13 +12,13 @@ from typing import Any, NoReturn
 from gearstudio import __version__
 from gearstudio.analysis.contact_placing import MARKING_THICKNESS_UM
 from gearstudio.catalogue import MEMBERS, METHOD_IDS, VARIANTS
-from gearstudio.cli import compare, contact, export, info, measure, points, screenshot, verify
+from gearstudio.cli import compare, contact, export, info, measure, points, report, screenshot, verify
 from gearstudio.exchange.points import POINT_FORMATS
 from gearstudio.formats import FORMATS
 from gearstudio.theory.cloud import SPACINGS
 from gearstudio.theory.flank import FLANKS
 
-COMMANDS = ("info", "compare", "points", "export", "verify", "contact", "measure", "screenshot")
+COMMANDS = ("info", "compare", "points", "export", "verify", "contact", "measure", "report", "screenshot")
 FEWEST_LINES, MOST_LINES = 2, 2000
 
 
@@ -135,6 +135,9 @@ def make_parser(take_picture: screenshot.TakePicture | None = None) -> argparse.
     made.add_argument("--no-turn", action="store_true", help="take the points as turned: no best fit about the axis")
     made.add_argument("--no-shift", action="store_true", help="take the points as placed: no best fit along the axis")
     _add_json(made)
+
+    made = command("report", "the design, data sheets, comparison, maps, contact and equations as a PDF", report.run)
+    report.add_arguments(made)
 
     made = command("screenshot", "take a picture of the views, without a window", take_picture or screenshot.refuse)
     screenshot.add_arguments(made)

@@ -228,6 +228,13 @@ class BlankMember(Part):
         0.0,
     )
     shank_length: float = _body("Shank length", "Length of the shank behind the back face, 0 for none.", "L_s", 0.0)
+    end_chamfer: float = _body(
+        "End chamfer",
+        "Of the edges between tip and ends of the teeth, turned over all teeth at toe and heel; its legs along the "
+        "face cone and along the end, 0 for none.",
+        "c",
+        0.0,
+    )
 
 
 class Blank(Part):

@@ -39,9 +39,11 @@ class ReportJob(Job):
 
     @property
     def label(self) -> str:
+        """A few words for the status bar."""
         return f"report of {self.design.name}"
 
     def run(self, report: Callable[[str, float], None]) -> Reported:
+        """Make the report; raises ModellingError when its pages cannot be set."""
         from gearstudio.report.document import compose, typeset
 
         pages = compose(self.design, self.sections, self.member, dict(self.pictures), report)

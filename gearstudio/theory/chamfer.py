@@ -6,15 +6,17 @@ A face of a tooth keeps its surface and ends on the cone instead; where, is a cu
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from scipy.interpolate import BSpline, make_interp_spline
-from scipy.optimize import brentq
 
 from gearstudio.errors import GeometryError
 from gearstudio.nurbs import NurbsSurface, basis_matrix
 from gearstudio.theory.cones import ConeLimit, MemberGeometry
+
+if TYPE_CHECKING:
+    from scipy.interpolate import BSpline
 
 Floats = NDArray[np.float64]
 Point = tuple[float, float]
@@ -139,6 +141,9 @@ def end_cut(surface: NurbsSurface, chamfer: EndChamfer) -> EndCut | None:
     GeometryError
         It does not cut straight across the face.
     """
+    from scipy.interpolate import make_interp_spline
+    from scipy.optimize import brentq
+
     end = float(chamfer.heel)
 
     def at_end(u: float) -> float:

@@ -5,8 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable
 from math import asin, copysign, cos, nan, pi, radians, sin
 
-from scipy.optimize import brentq
-
 from gearstudio.theory.hypoid.inputs import HypoidInput
 from gearstudio.theory.hypoid.method1 import bevel_angles, method_0
 from gearstudio.theory.hypoid.pitch import PitchCones, Touching, assemble, trace_curvature
@@ -95,4 +93,6 @@ def _touching(given: HypoidInput, wheel: float, axial: float) -> Touching | None
 
 
 def _root(function: Callable[[float], float], low: float, high: float) -> float:
+    from scipy.optimize import brentq
+
     return float(brentq(function, low, high, xtol=1e-15, rtol=1e-14))

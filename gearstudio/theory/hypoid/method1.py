@@ -5,8 +5,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 from math import asin, atan, atan2, cos, pi, sin, tan
 
-from scipy.optimize import brentq
-
 from gearstudio.theory.hypoid.inputs import HypoidError, HypoidInput
 from gearstudio.theory.hypoid.pitch import PitchCones, Touching, assemble
 
@@ -69,6 +67,8 @@ def method_1(given: HypoidInput, tolerance: float = 1e-12) -> PitchCones:
     crossings = [k for k in range(_SCAN) if values[k] * values[k + 1] <= 0]
     if not crossings:
         raise HypoidError("pair.offset", "the recursion of ISO 23509 Method 1 finds no pitch cones for this pair")
+    from scipy.optimize import brentq
+
     nearest = min(crossings, key=lambda k: abs(places[k] - start))
     eta = brentq(excess, places[nearest], places[nearest + 1], xtol=1e-15, rtol=1e-14)
     return cones(float(eta))
