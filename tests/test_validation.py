@@ -360,6 +360,30 @@ def test_a_rule_can_be_asked_whenever_its_own_fields_are_fine() -> None:
         assert all(RULES.index(other) < RULES.index(rule) for other in needed), rule.code
 
 
+@pytest.mark.parametrize(
+    ("fields", "code", "offer"),
+    [
+        ({"tip_relief_um": 400.0}, "steep_relief", "a tip relief of at most"),
+        ({"lengthwise_crowning_um": -900.0, "profile_crowning_um": -900.0}, "steep_relief", "use"),
+        ({"root_relief_um": 900.0, "root_relief_end": 0.9}, "steep_relief", "a root relief of at most"),
+    ],
+)
+@pytest.mark.parametrize("member", ["pinion", "wheel"])
+def test_micro_geometry_too_large_for_the_tooth(fields: dict[str, float], code: str, offer: str, member: str) -> None:
+    design = Design.model_validate({"modifications": {member: {"convex": fields}}})
+    (issue,) = (i for i in check(design) if i.code == code)
+    assert issue.severity == "error" and issue.field.startswith(f"modifications.{member}.convex.")
+    assert f"{member}'s convex flank" in issue.message and offer in issue.message
+
+
+@pytest.mark.parametrize(("amount", "expected"), [(150.0, False), (250.0, True)])
+def test_relief_that_leaves_no_tip_is_refused(amount: float, expected: bool) -> None:
+    flanks = {key: {"tip_relief_um": amount, "tip_relief_start": 0.05} for key in ("concave", "convex")}
+    design = Design.model_validate({"tooth": {"addendum_factor": 1.25}, "modifications": {"pinion": flanks}})
+    assert ("pointed_relief" in codes(check(design))) == expected
+    assert "pointed_tip" not in codes(check(design))
+
+
 @settings(max_examples=60, deadline=None)
 @given(loose_designs(), loose_designs())
 def test_a_rule_reads_no_field_but_those_it_declares(design: Design, other: Design) -> None:

@@ -28,6 +28,11 @@ def idle_fields(draft: Mapping[str, Any]) -> dict[str, str]:
                 choice=tr(choice_title(spec.used_when[1])),
                 field=title_in_text(other),
             )
+    for path in draft:
+        flank, _, key = path.rpartition(".")
+        amount = {"tip_relief_start": f"{flank}.tip_relief_um", "root_relief_end": f"{flank}.root_relief_um"}.get(key)
+        if amount is not None and draft.get(amount) == 0:
+            idle[path] = tr("There is no {field} to begin or end.", field=title_in_text(all_field_specs()[amount]))
     if curve != "archimedean":
         idle["lengthwise.spiral_angle_at"] = tr("Only the Archimedean spiral can take its angle at the toe.")
     if draft.get("pair.face_width") is not None:

@@ -8,22 +8,23 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from gearstudio.design import Design, all_field_specs, field_value
+from gearstudio.design import Design, all_field_specs, field_value, with_field
 from gearstudio.theory.cones import MemberGeometry
 from gearstudio.theory.flank import FLANKS
 from gearstudio.theory.involute import involute_azimuth
 from gearstudio.theory.modified import azimuth_shift, relief_on
 from gearstudio.theory.pair import tip_half_azimuth
+from gearstudio.theory.relief import flank_relief
 from gearstudio.validation.nearest import Cure, cure
-from gearstudio.validation.rule import THICKNESS, Finding, Holds, Rule, geometry, members
+from gearstudio.validation.rule import ARC, THICKNESS, Finding, Holds, Rule, members
 from gearstudio.validation.tooth_rules import POINT_FACTOR, TOOTHED
 
 Floats = NDArray[np.float64]
 
 STEEPEST_UM_PER_MM = 200.0
 """Most by which micro-geometry may rise along a flank."""
-_GRID = 17
-_MOST_CANDIDATES = 4
+_GRID = 13
+_MOST_CANDIDATES = 3
 RELIEF = frozenset(path for path in all_field_specs() if path.startswith("modifications."))
 
 
@@ -86,9 +87,16 @@ def _amounts(design: Design, member: str) -> list[str]:
     return sorted(used, key=lambda path: -abs(field_value(design, path)))
 
 
-def _cured(design: Design, name: str, holds: Holds) -> Cure:
-    candidates = [(path, 0.0) for path in _amounts(design, name)[:_MOST_CANDIDATES]]
-    return cure(design, lambda changed: holds(geometry(changed).member(name)), candidates)
+def _cured(design: Design, member: MemberGeometry, holds: Holds) -> Cure:
+    frame = member.relief_frame
+
+    def works(changed: Design) -> bool:
+        flanks = getattr(changed.modifications, member.name)
+        reliefs = (flank_relief(flanks.concave, frame), flank_relief(flanks.convex, frame))
+        return holds(replace(member, reliefs=reliefs))
+
+    paths = _amounts(design, member.name)[:_MOST_CANDIDATES]
+    return cure(design, works, [(path, 0.0) for path in paths if works(with_field(design, path, 0.0))])
 
 
 def _findings(design: Design, holds: Holds, words: Callable[[MemberGeometry], str]) -> Iterator[Finding]:
@@ -96,7 +104,7 @@ def _findings(design: Design, holds: Holds, words: Callable[[MemberGeometry], st
         bare = replace(member, reliefs=(None, None))
         if not _is_modified(member) or holds(member) or not holds(bare):
             continue
-        found = _cured(design, member.name, holds)
+        found = _cured(design, member, holds)
         field = found.field or _amounts(design, member.name)[0]
         flank = next(name for name in FLANKS if f".{name}." in field)
         yield Finding(
@@ -139,9 +147,10 @@ def _closed(design: Design) -> Iterator[Finding]:
     )
 
 
-_NEEDS = TOOTHED | {"pointed_tip", "no_space"}
+_INPUTS = THICKNESS | ARC | RELIEF
+_NEEDS = TOOTHED | {"pointed_tip", "no_space", "cutter_arc"}
 RELIEF_RULES = (
-    Rule("steep_relief", "error", THICKNESS | RELIEF, _NEEDS, "modifications.pinion.concave.tip_relief_um", _steep),
-    Rule("pointed_relief", "error", THICKNESS | RELIEF, _NEEDS, "modifications.pinion.concave.tip_relief_um", _pointed),
-    Rule("closed_relief", "error", THICKNESS | RELIEF, _NEEDS, "modifications.pinion.concave.bias_um", _closed),
+    Rule("steep_relief", "error", _INPUTS, _NEEDS, "modifications.pinion.concave.tip_relief_um", _steep),
+    Rule("pointed_relief", "error", _INPUTS, _NEEDS, "modifications.pinion.concave.tip_relief_um", _pointed),
+    Rule("closed_relief", "error", _INPUTS, _NEEDS, "modifications.pinion.concave.bias_um", _closed),
 )
