@@ -10,7 +10,6 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from scipy.interpolate import BSpline
 
 Floats = NDArray[np.float64]
 
@@ -33,6 +32,8 @@ def basis_matrix(parameters: ArrayLike, knots: Floats, degree: int, derivative: 
     ndarray, shape (n, m)
     """
     count = len(knots) - degree - 1
+    from scipy.interpolate import BSpline
+
     spline = BSpline(knots, np.eye(count), degree, extrapolate=True)
     return np.asarray(spline(np.asarray(parameters, dtype=np.float64), nu=derivative))
 
