@@ -59,6 +59,7 @@ DEFAULTS = {
             "web_thickness": None,
             "shank_diameter": 0.0,
             "shank_length": 0.0,
+            "end_chamfer": 0.0,
         }.items()
     },
     **{

@@ -12,6 +12,7 @@ from ui import tables, units
 from ui.actions import check
 from ui.applicability import derived_hints
 from ui.keys import Keys
+from ui.modification_table import MODIFICATIONS
 from ui.palette import Offer, Palette, keys_text
 from ui.preferences import Choices, Preferences
 from ui.words import tr
@@ -121,7 +122,7 @@ class Habits(QObject):
         form, settings = self._window.form, self._window.settings
         form.field_asked.connect(self.explain)
         if settings is not None:
-            folded = settings.value(FOLDED, [])
+            folded = settings.value(FOLDED, [MODIFICATIONS])
             form.fold([folded] if isinstance(folded, str) else folded if isinstance(folded, list) else [])
             form.folds_changed.connect(lambda: settings.setValue(FOLDED, form.folded_groups()))
 
