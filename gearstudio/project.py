@@ -114,8 +114,6 @@ def _lines(design: Design) -> Iterator[str]:
     table = ""
     for path, spec in all_field_specs().items():
         value = field_value(design, path)
-        if spec.not_yet and value == spec.default:
-            continue
         head, _, key = path.rpartition(".")
         if head != table:
             table = head

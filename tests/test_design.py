@@ -160,16 +160,6 @@ def test_every_field_of_the_form_has_its_words(spec: FieldSpec) -> None:
         assert value in all_field_specs()[path].choices
 
 
-def test_the_form_has_no_field_that_allows_one_value_only() -> None:
-    hidden = {path for path in all_field_specs()} - {spec.path for spec in field_specs()}
-    assert hidden == {
-        "pair.offset",
-        "lengthwise.spiral_angle_of",
-        "tooth.limit_pressure_angle_factor",
-        "depth.system",
-    }
-
-
 def test_designs_are_frozen_values() -> None:
     design = Design()
     with pytest.raises(ValidationError):

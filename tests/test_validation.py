@@ -121,22 +121,6 @@ def test_an_unknown_key_is_told_its_nearest(path: str, near: str) -> None:
     assert any(issue.code == "unknown_key" and near in issue.message for issue in issues), issues
 
 
-@pytest.mark.parametrize(
-    ("path", "value"),
-    [
-        ("pair.offset", 5.0),
-        ("lengthwise.spiral_angle_of", "both"),
-        ("depth.system", "iso23509"),
-        ("depth.taper", "duplex"),
-        ("depth.depth_factor", 2.0),
-    ],
-)
-def test_what_is_to_come_is_said_to_be_unavailable(path: str, value: Any) -> None:
-    (issue,) = issues_of({path: value})
-    assert issue.field == path
-    assert "not available yet" in issue.message
-
-
 def test_values_without_effect_on_bevel_pairs_are_accepted() -> None:
     design, issues = read_design(
         table(

@@ -4,7 +4,6 @@ from gearstudio.design.fields import FieldSpec
 from gearstudio.design.model import (
     FOLDED_GROUPS,
     FORMAT,
-    RESERVED_KEYS,
     Design,
     all_field_specs,
     design_mapping,
@@ -17,7 +16,6 @@ from gearstudio.design.modifications import FlankModification
 __all__ = [
     "FOLDED_GROUPS",
     "FORMAT",
-    "RESERVED_KEYS",
     "Design",
     "FieldSpec",
     "FlankModification",

@@ -39,8 +39,6 @@ class Words:
         Useful digits after the point.
     used_when : tuple of str, or None
         (path, value) of another field, without which this one has no effect.
-    not_yet : str
-        Why the field has a single value for now; such a field is in the file but not in the form.
     """
 
     title: str
@@ -51,7 +49,6 @@ class Words:
     step: float = 1.0
     decimals: int = 0
     used_when: tuple[str, str] | None = None
-    not_yet: str = ""
 
 
 @dataclass(frozen=True)
@@ -74,7 +71,7 @@ class FieldSpec:
         May be left out (None); the value is then derived.
     group : str
         Heading in the form.
-    title, description, unit, symbol, equation, step, decimals, used_when, not_yet
+    title, description, unit, symbol, equation, step, decimals, used_when
         As in `Words`.
     """
 
@@ -95,13 +92,10 @@ class FieldSpec:
     step: float
     decimals: int
     used_when: tuple[str, str] | None
-    not_yet: str
 
     @property
     def range_text(self) -> str:
         """What may be used instead, in words: ``"5 to 200"``, ``"more than 0, up to 0.5"``, ``"a, b or c"``."""
-        if self.not_yet:
-            return f"{self.default:g}" if isinstance(self.default, int | float) else f'"{self.default}"'
         if self.kind == "choice":
             quoted = [f'"{choice}"' for choice in self.choices]
             return " or ".join([", ".join(quoted[:-1]), quoted[-1]]) if len(quoted) > 1 else quoted[0]

@@ -17,6 +17,8 @@ from gearstudio.design.modifications import Modifications
 
 FORMAT = 1
 Hand = Literal["left", "right"]
+_ISO = ("depth.system", "iso23509")
+_OWN = ("depth.system", "outer_module")
 
 
 class Pair(Part):
@@ -84,11 +86,14 @@ class Pair(Part):
         ),
     )
     offset: float = number(
-        0.0,
-        0.0,
-        0.0,
-        Words("Offset", "Hypoid offset.", "mm", "a", decimals=4, not_yet="hypoid pairs are not available yet"),
-    )
+        0.0, -5000.0, 5000.0,
+        Words(
+            "Offset",
+            "Distance between the axes of a hypoid pair; 0 is a bevel pair. Positive makes the pinion's spiral angle "
+            "the larger one. With an offset the outer module and the face width are the wheel's.",
+            "mm", "a", "a = r₂ sin ζ + r₁ sin η", 1.0, 4,
+        ),
+    )  # fmt: skip
 
 
 class LengthwiseCurve(Part):
@@ -131,8 +136,9 @@ class LengthwiseCurve(Part):
         "pinion",
         Words(
             "Spiral angle of",
-            "Member whose spiral angle is given; both have the same without an offset.",
-            not_yet="hypoid pairs are not available yet",
+            "Member whose mean spiral angle is given; both have the same without an offset.",
+            symbol="βₘ₁, βₘ₂",
+            equation="βₘ₁ = βₘ₂ + ζₘₚ",
         ),
     )
 
@@ -144,21 +150,21 @@ class Tooth(Part):
         1.0, 0.1, 2.0,
         Words(
             "Addendum factor", "Addendum at the heel over outer module, before profile shift.",
-            "", "hₐ*", "hₐₑ = m (hₐ* + x)", 0.05, 4,
+            "", "hₐ*", "hₐₑ = m (hₐ* + x)", 0.05, 4, _OWN,
         ),
     )  # fmt: skip
     clearance_factor: float = number(
         0.25, 0.0, 1.0,
         Words(
             "Clearance factor", "Tip clearance at the heel over outer module.",
-            "", "c*", "h_fe = m (hₐ* + c* − x)", 0.01, 4,
+            "", "c*", "h_fe = m (hₐ* + c* − x)", 0.01, 4, _OWN,
         ),
     )  # fmt: skip
     profile_shift: float = number(
         0.0, -1.5, 1.5,
         Words(
             "Profile shift", "Profile shift factor of the pinion; the wheel takes the negative.",
-            "", "x₁", "x₂ = −x₁", 0.05, 4,
+            "", "x₁", "x₂ = −x₁", 0.05, 4, _OWN,
         ),
     )  # fmt: skip
     backlash: float = number(
@@ -183,6 +189,7 @@ class Tooth(Part):
             "Constant clearance: the tip runs parallel to the mate's root.",
             symbol="δₐ",
             equation="δₐ₁ = δ₁ + (δ₂ − δ_f2)",
+            used_when=_OWN,
         ),
     )
     ends: Literal["back_cone", "sphere"] = word(
@@ -195,15 +202,14 @@ class Tooth(Part):
         ),
     )
     limit_pressure_angle_factor: float = number(
-        1.0,
-        0.0,
-        2.0,
+        1.0, 0.0, 2.0,
         Words(
             "Limit pressure angle factor",
-            "Share of the limit pressure angle; no effect without an offset.",
-            not_yet="hypoid pairs are not available yet",
+            "Share of the limit pressure angle that the drive flank gains and the coast flank loses; "
+            "no effect without an offset.",
+            "", "f_αlim", "αₙ = α ± f_αlim α_lim", 0.1, 3,
         ),
-    )
+    )  # fmt: skip
 
 
 def _body(title: str, description: str, symbol: str, default: float | None = None) -> Any:
@@ -244,14 +250,64 @@ class Blank(Part):
     wheel: BlankMember = Field(default_factory=BlankMember)
 
 
+def _angle_of_wheel(title: str, description: str, symbol: str) -> Any:
+    """An angle of the wheel's taper [°]."""
+    return number(None, -15.0, 15.0, Words(title, description, "°", symbol, "", 0.25, 4, _ISO))
+
+
 class Depth(Part):
     """Which rule the tooth depth follows."""
 
-    system: Literal["outer_module"] = word(
+    system: Literal["outer_module", "iso23509"] = word(
         "outer_module",
         Words(
-            "Depth system", "The factors of [tooth].", not_yet="the depth systems of ISO 23509 are not available yet"
+            "Depth system",
+            "Outer module: the factors of the tooth, over the outer module at the heel. "
+            "ISO 23509: factors of the mean normal module at the mean point, with a taper.",
         ),
+    )
+    taper: Literal["standard", "uniform", "duplex", "tilted_root"] = word(
+        "standard",
+        Words(
+            "Taper",
+            "Standard: root lines through the pitch apex. Uniform: the same depth from toe to heel. "
+            "Duplex: constant slot width. Tilted root: constant slot width, but not steeper than 1.3 times standard.",
+            symbol="Σθ_f",
+            equation="Σθ_f = θ_f₁ + θ_f₂",
+            used_when=_ISO,
+        ),
+    )
+    depth_factor: float = number(
+        2.0, 0.5, 3.0,
+        Words(
+            "Depth factor", "Working depth at the mean point over mean normal module.",
+            "", "k_d", "h_mw = k_d m_mn", 0.05, 4, _ISO,
+        ),
+    )  # fmt: skip
+    clearance_factor: float = number(
+        0.125, 0.0, 0.5,
+        Words("Clearance over depth", "Tip clearance over working depth.", "", "k_c", "c = k_c h_mw", 0.005, 4, _ISO),
+    )  # fmt: skip
+    mean_addendum_factor: float | None = number(
+        None, 0.0, 1.0,
+        Words(
+            "Mean addendum factor",
+            "The wheel's mean addendum over working depth; leave empty for 0.21 + 0.29/u₉₀².",
+            "", "c_ham", "h_am₂ = c_ham h_mw", 0.01, 4, _ISO,
+        ),
+    )  # fmt: skip
+    thickness_factor: float = number(
+        0.0, -0.5, 0.5,
+        Words(
+            "Thickness factor", "Thickness that the pinion's teeth gain over the wheel's, over mean normal module.",
+            "", "k_t", "s_mn₁ − s_mn₂ = 2 k_t m_mn", 0.01, 4, _ISO,
+        ),
+    )  # fmt: skip
+    addendum_angle_deg: float | None = _angle_of_wheel(
+        "Addendum angle", "From the wheel's pitch cone to its face cone; leave empty to take the taper's.", "θₐ₂"
+    )
+    dedendum_angle_deg: float | None = _angle_of_wheel(
+        "Dedendum angle", "From the wheel's root cone to its pitch cone; leave empty to take the taper's.", "θ_f₂"
     )
 
 
@@ -313,14 +369,6 @@ GROUPS = {
 }
 # Groups of the form that are folded until they are asked for: many fields that most designs leave alone.
 FOLDED_GROUPS = frozenset(title for path, title in GROUPS.items() if path.startswith("modifications."))
-# Keys that hypoid pairs and ISO 23509 depths will bring: known, so that a file is not told of a spelling mistake.
-RESERVED_KEYS = {
-    f"depth.{key}": "the depth systems of ISO 23509 are not available yet"
-    for key in (
-        "taper", "depth_factor", "clearance_factor", "mean_addendum_factor", "thickness_factor",
-        "addendum_angle_deg", "dedendum_angle_deg",
-    )
-}  # fmt: skip
 
 
 @cache
@@ -332,7 +380,7 @@ def all_field_specs() -> dict[str, FieldSpec]:
 @cache
 def field_specs() -> tuple[FieldSpec, ...]:
     """The fields that a form shows, in its order."""
-    return tuple(spec for spec in all_field_specs().values() if not spec.not_yet)
+    return tuple(all_field_specs().values())
 
 
 def field_value(design: Design, path: str) -> Any:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -10,6 +11,9 @@ from numpy.typing import ArrayLike, NDArray
 from gearstudio.design import Design
 from gearstudio.theory.lengthwise import Lengthwise
 from gearstudio.theory.relief import Edge, FlankRelief, ReliefFrame, flank_relief
+
+if TYPE_CHECKING:
+    from gearstudio.theory.hypoid.pair import HypoidPair
 
 Floats = NDArray[np.float64]
 
@@ -47,7 +51,9 @@ class ConeLimit:
 class MemberGeometry:
     """One member's geometry [mm, rad]; symbols of theory 1.
 
-    ``reliefs`` is the micro-geometry of the concave and the convex flank, None where there is none.
+    ``reliefs`` is the micro-geometry of the concave and the convex flank, None where there is none. ``hypoid`` is the
+    pair with offset axes that this member belongs to, None without an offset: then each flank has a base cone of its
+    own, the one here being that of one flank, and `theory.modified.flank_of` makes the flanks.
     """
 
     name: str
@@ -69,6 +75,7 @@ class MemberGeometry:
     root_limit: ConeLimit
     ends: str
     reliefs: tuple[FlankRelief | None, FlankRelief | None] = (None, None)
+    hypoid: HypoidPair | None = None
 
     @property
     def tip_angle(self) -> float:
@@ -137,7 +144,11 @@ class MemberGeometry:
 
 @dataclass(frozen=True)
 class PairGeometry:
-    """Both members of a pair and what they share."""
+    """Both members of a pair and what they share.
+
+    ``hypoid`` is the same pair as the standard has it, for pairs with an offset or a depth after ISO 23509; the mean
+    spiral angle is then the wheel's.
+    """
 
     pinion: MemberGeometry
     wheel: MemberGeometry
@@ -145,6 +156,12 @@ class PairGeometry:
     normal_pressure_angle: float
     mean_spiral_angle: float
     mean_normal_module: float
+    hypoid: HypoidPair | None = None
+
+    @property
+    def has_offset(self) -> bool:
+        """Whether the axes do not meet."""
+        return self.wheel.hypoid is not None
 
     def member(self, name: str) -> MemberGeometry:
         """The member called ``"pinion"`` or ``"wheel"``."""
@@ -180,7 +197,17 @@ class _Angles:
 
 
 def pair_geometry(design: Design) -> PairGeometry:
-    """Derive both members from a design (theory 2, 4, 5)."""
+    """Derive both members from a design (theory 2, 4, 5).
+
+    Raises
+    ------
+    GeometryError
+        There is no such pair with offset axes, or with a depth after ISO 23509.
+    """
+    if design.pair.offset != 0 or design.depth.system != "outer_module":
+        from gearstudio.theory.hypoid.design import hypoid_geometry
+
+        return hypoid_geometry(design)
     pair, tooth = design.pair, design.tooth
     shaft_angle = float(np.radians(pair.shaft_angle_deg))
     deltas = pitch_angles(pair.pinion_teeth, pair.wheel_teeth, shaft_angle)
@@ -230,6 +257,13 @@ def pair_geometry(design: Design) -> PairGeometry:
     transverse = angles.transverse
     normal = float(np.arctan(np.tan(transverse) * np.cos(angles.mean_spiral)))
     return PairGeometry(member(0), member(1), shaft_angle, normal, angles.mean_spiral, normal_module)
+
+
+def bevel_angles(design: Design) -> tuple[float, float]:
+    """Transverse pressure angle and mean spiral angle [rad] of a pair without offset."""
+    deltas = pitch_angles(design.pair.pinion_teeth, design.pair.wheel_teeth, np.radians(design.pair.shaft_angle_deg))
+    angles = _pressure_and_spiral(design, deltas, outer_cone_distance(design), face_width(design))
+    return angles.transverse, angles.mean_spiral
 
 
 def _pressure_and_spiral(design: Design, deltas: tuple[float, float], outer: float, width: float) -> _Angles:

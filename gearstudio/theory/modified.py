@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from gearstudio.theory.cones import ConeLimit, MemberGeometry
-from gearstudio.theory.flank import FlankName, InvoluteFlank, involute_flank, quarter
+from gearstudio.theory.flank import Flank, FlankName, InvoluteFlank, involute_flank, quarter
+from gearstudio.theory.hypoid.conjugate import ConjugateFlank, pinion_flank
+from gearstudio.theory.hypoid.inputs import MemberName
 from gearstudio.theory.involute import polar_angle as polar_angle_of
 from gearstudio.theory.involute import roll_arc, tangent_plane
 from gearstudio.theory.relief import Derivatives, FlankRelief
@@ -135,7 +138,7 @@ class ModifiedFlank(InvoluteFlank):
         return s, s_d * first, s_r, s_dd * first**2 + s_d * second, s_rd * first, s_rr
 
 
-def flank_of(member: MemberGeometry, name: FlankName) -> InvoluteFlank:
+def flank_of(member: MemberGeometry, name: FlankName) -> Flank:
     """The concave or convex flank of a member's tooth, with the micro-geometry that its design gives it.
 
     Raises
@@ -143,13 +146,40 @@ def flank_of(member: MemberGeometry, name: FlankName) -> InvoluteFlank:
     GeometryError
         As `involute_flank`.
     """
-    return flank_on(member, involute_flank(member, name).side)
+    side = member.hand if name == "concave" else -member.hand
+    return flank_on(member, side) if member.hypoid is not None else flank_on(member, involute_flank(member, name).side)
 
 
-def flank_on(member: MemberGeometry, side: int, foot: ConeLimit | None = None) -> InvoluteFlank:
-    """The flank on a side (+1 or -1), with micro-geometry; ``foot`` as of `InvoluteFlank`."""
-    relief = relief_on(member, side)
-    return InvoluteFlank(member, side, foot) if relief is None else ModifiedFlank(member, side, foot, relief)
+def flank_on(member: MemberGeometry, side: int, foot: ConeLimit | None = None) -> Flank:
+    """The flank on a side (+1 or -1), with micro-geometry; ``foot`` as of `InvoluteFlank`.
+
+    The pinion of a pair with offset axes has conjugate flanks, which begin where contact does: without ``foot``.
+    """
+    if member.hypoid is not None and member.name == "pinion":
+        return _conjugate(member, side)
+    return swept_on(member, side, foot)
+
+
+def swept_on(member: MemberGeometry, side: int, foot: ConeLimit | None = None) -> InvoluteFlank:
+    """The spherical involute on a side, with micro-geometry: on the pinion of offset axes a reference only."""
+    own, relief = flank_member(member, side), relief_on(member, side)
+    return InvoluteFlank(own, side, foot) if relief is None else ModifiedFlank(own, side, foot, relief)
+
+
+def flank_member(member: MemberGeometry, side: int) -> MemberGeometry:
+    """The member as its flank on a side has it: with offset axes each flank has a base cone of its own."""
+    if member.hypoid is None:
+        return member
+    name: MemberName = "pinion" if member.name == "pinion" else "wheel"
+    own = member.hypoid.member(name, member.hypoid.flank_name(name, side))
+    return replace(own, reliefs=member.reliefs, hypoid=member.hypoid)
+
+
+@lru_cache(maxsize=64)
+def _conjugate(member: MemberGeometry, side: int) -> ConjugateFlank:
+    assert member.hypoid is not None
+    flank = pinion_flank(member.hypoid, member.hypoid.flank_name("pinion", side))
+    return replace(flank, member=flank_member(member, side))
 
 
 def relief_on(member: MemberGeometry, side: int) -> FlankRelief | None:

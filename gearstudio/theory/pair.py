@@ -33,6 +33,20 @@ def wheel_placement(pair: PairGeometry, pinion_turn: float = 0.0) -> Floats:
     return about_axis(np.pi / pair.wheel.teeth - pinion_turn * ratio)
 
 
+def placement(pair: PairGeometry, name: str, pinion_turn: float = 0.0) -> tuple[Floats, Floats]:
+    """Matrix (3, 3) and shift (3,) [mm] that take a member's points, about its pitch apex, to the world.
+
+    Without an offset both apexes are the world's origin; with one it is the wheel's crossing point.
+    """
+    if pair.hypoid is None or not pair.has_offset:
+        turn = pinion_placement if name == "pinion" else wheel_placement
+        return turn(pair, pinion_turn), np.zeros(3)
+    axes = pair.hypoid.axes
+    if name == "pinion":
+        return axes.pinion_placement(pinion_turn)
+    return axes.wheel_placement(pair.wheel.teeth, -pinion_turn * pair.pinion.teeth / pair.wheel.teeth)
+
+
 def transverse_contact_ratio(pair: PairGeometry) -> float:
     """epsilon_alpha on the heel sphere (theory 8)."""
     path = sum(tip_arc(m) - m.gamma for m in (pair.pinion, pair.wheel))

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterable, Mapping, Sequence
 from difflib import SequenceMatcher
 
-from gearstudio.design import RESERVED_KEYS, FieldSpec, all_field_specs
+from gearstudio.design import FieldSpec, all_field_specs
 from gearstudio.errors import Issue
 
 _LONGEST_ECHO = 40
@@ -36,8 +36,6 @@ def field_issue(spec: FieldSpec, value: object) -> Issue:
     """The issue of a value that the model refuses for a field."""
     unit = f" {spec.unit}" if spec.unit else ""
     remedy = f"use {spec.range_text}"
-    if spec.not_yet:
-        return Issue("not_available", spec.path, f"{shown(value)} cannot be used: {spec.not_yet}; {remedy}")
     if spec.kind == "choice":
         return Issue("unknown_choice", spec.path, f"{shown(value)} is not one of the choices; {remedy}")
     if spec.kind == "text":
@@ -60,8 +58,6 @@ def field_issue(spec: FieldSpec, value: object) -> Issue:
 
 def unknown_key_issue(path: str) -> Issue:
     """The issue of a key that no design file has, with the nearest one that it may have."""
-    if path in RESERVED_KEYS:
-        return Issue("not_available", path, f"{RESERVED_KEYS[path]}; leave this key out")
     table, _, key = path.rpartition(".")
 
     def likeness(name: str) -> float:
