@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -16,6 +16,18 @@ if TYPE_CHECKING:
     from gearstudio.theory.hypoid.pair import HypoidPair
 
 Floats = NDArray[np.float64]
+
+
+class Limit(Protocol):
+    """A surface about the gear axis that bounds a tooth."""
+
+    def at_sphere(self, rho: ArrayLike, /) -> Floats:
+        """Polar angle [rad] at distance rho from the apex."""
+        ...
+
+    def at_back_cone(self, rho_u: ArrayLike, /) -> Floats:
+        """Polar angle [rad] on the back cone rho cos(delta_k - delta) = rho_u."""
+        ...
 
 
 @dataclass(frozen=True)
@@ -125,7 +137,7 @@ class MemberGeometry:
         edges = (Edge(limit.angle, limit.offset) for limit in (low, tip))
         return ReliefFrame(mean, self.face_width / 2, self.pitch_angle, self.ends == "back_cone", *edges)
 
-    def limit_angle(self, limit: ConeLimit, rho_u: ArrayLike) -> Floats:
+    def limit_angle(self, limit: Limit, rho_u: ArrayLike) -> Floats:
         """Polar angle of a limit at a tooth end, by the kind of ends this member has [rad]."""
         return limit.at_sphere(rho_u) if self.ends == "sphere" else limit.at_back_cone(rho_u)
 

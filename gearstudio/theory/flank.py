@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from gearstudio.errors import GeometryError
-from gearstudio.theory.cones import ConeLimit, MemberGeometry
+from gearstudio.theory.cones import Limit, MemberGeometry
 from gearstudio.theory.flank_protocol import FLANKS, Flank, FlankName
 from gearstudio.theory.involute import (
     azimuth_from_arc,
@@ -37,13 +37,13 @@ class InvoluteFlank:
     member : MemberGeometry
     side : {+1, -1}
         The flank at larger or smaller azimuth of the tooth centred at azimuth 0.
-    foot : ConeLimit, optional
+    foot : Limit, optional
         Where the flank begins; by default at the root or base cone, whichever is higher.
     """
 
     member: MemberGeometry
     side: int
-    foot: ConeLimit | None = None
+    foot: Limit | None = None
 
     @property
     def name(self) -> FlankName:

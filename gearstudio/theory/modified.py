@@ -8,7 +8,7 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from gearstudio.theory.cones import ConeLimit, MemberGeometry
+from gearstudio.theory.cones import Limit, MemberGeometry
 from gearstudio.theory.flank import Flank, FlankName, InvoluteFlank, involute_flank, quarter
 from gearstudio.theory.hypoid.conjugate import ConjugateFlank, pinion_flank
 from gearstudio.theory.hypoid.inputs import MemberName
@@ -150,7 +150,7 @@ def flank_of(member: MemberGeometry, name: FlankName) -> Flank:
     return flank_on(member, side) if member.hypoid is not None else flank_on(member, involute_flank(member, name).side)
 
 
-def flank_on(member: MemberGeometry, side: int, foot: ConeLimit | None = None) -> Flank:
+def flank_on(member: MemberGeometry, side: int, foot: Limit | None = None) -> Flank:
     """The flank on a side (+1 or -1), with micro-geometry; ``foot`` as of `InvoluteFlank`.
 
     The pinion of a pair with offset axes has conjugate flanks, which begin where contact does: without ``foot``.
@@ -160,7 +160,7 @@ def flank_on(member: MemberGeometry, side: int, foot: ConeLimit | None = None) -
     return swept_on(member, side, foot)
 
 
-def swept_on(member: MemberGeometry, side: int, foot: ConeLimit | None = None) -> InvoluteFlank:
+def swept_on(member: MemberGeometry, side: int, foot: Limit | None = None) -> InvoluteFlank:
     """The spherical involute on a side, with micro-geometry: on the pinion of offset axes a reference only."""
     own, relief = flank_member(member, side), relief_on(member, side)
     return InvoluteFlank(own, side, foot) if relief is None else ModifiedFlank(own, side, foot, relief)

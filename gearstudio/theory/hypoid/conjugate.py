@@ -41,12 +41,15 @@ class ConjugateFlank:
     raised : float
         Height over the wheel's face cone of the cone whose image is the lower edge [mm]: more than 0 carries the
         flank on below the start of contact, towards the root.
+    lower : StartOfContact or None
+        Another lower edge, as that of a fillet.
     """
 
     member: MemberGeometry
     side: int
     envelope: Envelope
     raised: float = 0.0
+    lower: StartOfContact | None = None
 
     @property
     def name(self) -> FlankName:
@@ -80,7 +83,7 @@ class ConjugateFlank:
         u, v = np.broadcast_arrays(np.asarray(u, dtype=np.float64), np.asarray(v, dtype=np.float64))
         low, high = self.limits(v)
         delta = low + u * (high - low)
-        return self._generating(self.member.cone_distance(self._end_distance(v), delta), delta)
+        return self.generating(self.member.cone_distance(self._end_distance(v), delta), delta)
 
     def points(self, u: ArrayLike, v: ArrayLike) -> Floats:
         """Points of the working flank, shape (..., 3) [mm]."""
@@ -103,7 +106,7 @@ class ConjugateFlank:
     def trace(self, v: ArrayLike) -> Floats:
         """Points where the flank meets the pinion's pitch cone, shape (..., 3)."""
         rho = self._end_distance(np.asarray(v, dtype=np.float64))
-        return self.at(*self._generating(rho, np.full_like(rho, self.member.pitch_angle)))
+        return self.at(*self.generating(rho, np.full_like(rho, self.member.pitch_angle)))
 
     def at(self, psi: ArrayLike, rho: ArrayLike, /) -> Floats:
         """Points at natural coordinates, shape (..., 3)."""
@@ -149,7 +152,7 @@ class ConjugateFlank:
     def natural(self, points: ArrayLike) -> tuple[Floats, Floats]:
         """Natural coordinates of the flank at points on or near it, (...) each."""
         rho, delta, _ = self.locate(points)
-        return self._generating(*self._within(rho, delta))
+        return self.generating(*self._within(rho, delta))
 
     def deviation(self, points: ArrayLike) -> Floats:
         """Signed normal distance of points from the flank, positive where metal is added.
@@ -168,7 +171,7 @@ class ConjugateFlank:
         moved, gap = points, np.zeros(points.shape[:-1])
         for _ in range(_FOOT_POINT_STEPS):
             rho, delta, _ = self.locate(moved)
-            p = self.envelope.at(*self._generating(*self._within(rho, delta)))
+            p = self.envelope.at(*self.generating(*self._within(rho, delta)))
             before, gap = gap, dot(points - p.point, p.normal)
             if np.all(np.abs(gap - before) <= _FOOT_POINT_ACCURACY * rho):
                 break
@@ -187,6 +190,8 @@ class ConjugateFlank:
 
     @cached_property
     def _start(self) -> StartOfContact:
+        if self.lower is not None:
+            return self.lower
         return start_of_contact(self.envelope, self.member, self.raised)
 
     @cached_property
@@ -201,7 +206,8 @@ class ConjugateFlank:
     def _end_distance(self, v: Floats) -> Floats:
         return np.asarray(self.member.inner_cone_distance + v * self.member.face_width)
 
-    def _generating(self, rho: Floats, delta: Floats) -> tuple[Floats, Floats]:
+    def generating(self, rho: Floats, delta: Floats) -> tuple[Floats, Floats]:
+        """Natural coordinates at distances from the pitch apex [mm] and polar angles [rad]; raises as `coordinates`."""
         lengthwise = self.member.lengthwise
         return generating_point(self.envelope, rho, delta, lengthwise.mean_cone_distance, self.member.pitch_angle)
 

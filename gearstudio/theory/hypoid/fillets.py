@@ -1,0 +1,155 @@
+"""Fillets of hypoid teeth: at every place along the face a circle that touches root and flank.
+
+The circle lies on the unit sphere of the section's angles, as that of a bevel tooth does, with the radius R_f / R;
+centre and foot follow the flank and the root cone along the face.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from gearstudio.errors import GeometryError
+from gearstudio.theory.cones import MemberGeometry
+from gearstudio.theory.flank import InvoluteFlank
+from gearstudio.theory.flank_protocol import Flank
+from gearstudio.theory.involute import azimuth_from_arc, involute_azimuth, polar_angle, roll_arc
+
+Floats = NDArray[np.float64]
+
+BEYOND = 0.06
+"""Share of the face width beyond either end for which fillets are known."""
+
+
+@dataclass(frozen=True)
+class Circle:
+    """Circles of a fillet at places along the face [rad], arrays of the same shape, and where they leave the flank.
+
+    Azimuths count towards the space.
+    """
+
+    radius: Floats
+    centre_angle: Floats
+    centre_azimuth: Floats
+    foot_angle: Floats
+
+
+class FilletSide(Protocol):
+    """Flank, fillet and what is between them on one side of a tooth."""
+
+    @property
+    def radius(self) -> float:
+        """Of the circle that was asked for [rad]."""
+        ...
+
+    @property
+    def flank(self) -> Flank:
+        """Down to the foot, or to the base cone where the foot is below it."""
+        ...
+
+    @property
+    def on_meridian(self) -> bool:
+        """Whether the fillet touches the meridian below the base cone instead of the flank."""
+        ...
+
+    def circle(self, rho_u: Floats) -> Circle:
+        """The fillet at places along the face [mm]."""
+        ...
+
+    def tip_azimuth(self, rho_u: Floats) -> Floats:
+        """Half the tooth's azimuth at its tip [rad], towards the space."""
+        ...
+
+    def start_azimuth(self) -> float:
+        """Azimuth of the meridian below the base cone [rad], towards the space."""
+        ...
+
+
+@dataclass(frozen=True)
+class InvoluteSide:
+    """A fillet below a spherical involute, in closed form.
+
+    Attributes
+    ----------
+    whole : InvoluteFlank
+        Of any foot.
+    radius : float
+        Of the circle [rad].
+    """
+
+    whole: InvoluteFlank
+    radius: float
+
+    @cached_property
+    def flank(self) -> InvoluteFlank:
+        """See `FilletSide`."""
+        member = self.whole.member
+        foot = member.base_limit if self.on_meridian else _Foot(self.circle)
+        return replace(self.whole, foot=foot)
+
+    @cached_property
+    def on_meridian(self) -> bool:
+        """See `FilletSide`; GeometryError where it is so at one end only."""
+        at = places(self.whole.member, np.linspace(-BEYOND, 1 + BEYOND, 9))
+        arc = self._arc(self._centre_angle(at))
+        low = arc < self.radius
+        if np.any(low) and not np.all(low):
+            raise GeometryError(
+                f"the {self.whole.member.name}'s {self.whole.name} flank meets its base cone along its fillet; "
+                "use another fillet factor"
+            )
+        return bool(low[0])
+
+    def circle(self, rho_u: Floats) -> Circle:
+        """See `FilletSide`."""
+        member = self.whole.member
+        centre = self._centre_angle(rho_u)
+        radius = np.full_like(centre, self.radius)
+        if self.on_meridian:
+            azimuth = self.start_azimuth() + np.arcsin(np.sin(self.radius) / np.sin(centre))
+            return Circle(radius, centre, azimuth, np.arccos(np.cos(centre) / np.cos(self.radius)))
+        arc = self._arc(centre)
+        azimuth = self.start_azimuth() - azimuth_from_arc(arc, member.base_angle)
+        azimuth = azimuth + self.radius / np.sin(member.base_angle)
+        return Circle(radius, centre, azimuth, polar_angle(arc - self.radius, member.base_angle))
+
+    def tip_azimuth(self, rho_u: Floats) -> Floats:
+        """See `FilletSide`."""
+        m = self.whole.member
+        return np.asarray(self.start_azimuth() - involute_azimuth(m.limit_angle(m.tip_limit, rho_u), m.base_angle))
+
+    def start_azimuth(self) -> float:
+        """See `FilletSide`."""
+        m = self.whole.member
+        return m.half_tooth_azimuth + float(involute_azimuth(m.pitch_angle, m.base_angle))
+
+    def _centre_angle(self, rho_u: Floats) -> Floats:
+        m = self.whole.member
+        return np.asarray(m.limit_angle(m.root_limit, rho_u) + self.radius)
+
+    def _arc(self, centre: Floats) -> Floats:
+        base = self.whole.member.base_angle
+        return roll_arc(np.maximum(centre, base), base)
+
+
+@dataclass(frozen=True)
+class _Foot:
+    """The foot of an involute flank, on whichever ends its teeth have."""
+
+    circle: Callable[[Floats], Circle]
+
+    def at_sphere(self, rho_u: ArrayLike) -> Floats:
+        """Polar angle at a tooth end [rad]."""
+        return self.circle(np.asarray(rho_u, dtype=np.float64)).foot_angle
+
+    at_back_cone = at_sphere
+
+
+def places(member: MemberGeometry, v: Floats) -> Floats:
+    """rho_u [mm] at shares v of the face."""
+    return np.asarray(member.inner_cone_distance + v * member.face_width)

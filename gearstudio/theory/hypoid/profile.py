@@ -1,0 +1,150 @@
+"""The profile of a hypoid tooth, whose sides differ and whose sections change along the face."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gearstudio.errors import GeometryError
+from gearstudio.theory.cones import MemberGeometry
+from gearstudio.theory.flank import InvoluteFlank
+from gearstudio.theory.flank_protocol import Flank
+from gearstudio.theory.hypoid.conjugate import ConjugateFlank
+from gearstudio.theory.hypoid.conjugate_fillets import ConjugateSide
+from gearstudio.theory.hypoid.fillets import BEYOND, FilletSide, InvoluteSide
+from gearstudio.theory.section import Segment, Shift, off_circle, on_circle
+
+Floats = NDArray[np.float64]
+
+_PLACES = 9
+_LEAST_ROOT = 0.02
+"""Part of the pitch that fillets leave between them at least."""
+_SMALLER = 0.9
+_ATTEMPTS = 12
+
+
+@dataclass(frozen=True)
+class HypoidProfile:
+    """Both sides of a hypoid member's teeth.
+
+    Attributes
+    ----------
+    member : MemberGeometry
+        With the base cone of one of its flanks.
+    sides : mapping of {+1, -1} to FilletSide
+    """
+
+    member: MemberGeometry
+    sides: Mapping[int, FilletSide]
+
+    @property
+    def has_root(self) -> bool:
+        """Always: the radius of the fillets is one that leaves a root."""
+        return True
+
+    @property
+    def fillet_radius(self) -> float:
+        """R_f at the heel as used [mm]: at most what was asked for."""
+        return float(self.sides[1].radius * self.member.outer_cone_distance)
+
+    def below(self, side: int) -> tuple[Segment, ...]:
+        """See `Profile`."""
+        return ("fillet", "meridian") if self.sides[side].on_meridian else ("fillet",)
+
+    def flank(self, side: int) -> Flank:
+        """See `Profile`."""
+        return self.sides[side].flank
+
+    def shift_on(self, side: int) -> Shift | None:
+        """None: these flanks have no micro-geometry."""
+        return None
+
+    def places(self, share: Floats) -> Floats:
+        """See `Profile`."""
+        m = self.member
+        return np.asarray(m.inner_cone_distance + self.flank(1).along(share) * m.face_width)
+
+    def rising(self, name: Segment, side: int, x: Floats, rho_u: Floats) -> tuple[Floats, Floats]:
+        """See `Profile`."""
+        if name == "meridian":
+            foot = self.sides[side].circle(rho_u).foot_angle
+            delta = foot + x * (self.flank(side).member.base_angle - foot)
+            return delta, np.full_like(delta, side * self.sides[side].start_azimuth())
+        circle = self.sides[side].circle(rho_u)
+        delta, phi = on_circle(x, circle.radius, circle.centre_angle, circle.foot_angle)
+        return delta, side * (circle.centre_azimuth + phi)
+
+    def across(self, name: Segment, rho_u: Floats) -> tuple[Floats, Floats, Floats]:
+        """See `Profile`."""
+        m = self.member
+        if name == "tip":
+            low, high = (self.sides[side].tip_azimuth(rho_u) for side in (-1, 1))
+            return m.limit_angle(m.tip_limit, rho_u), -low, high
+        after, before = (self.sides[side].circle(rho_u).centre_azimuth for side in (1, -1))
+        return m.limit_angle(m.root_limit, rho_u), after, m.pitch - before
+
+    def foot_angle(self, side: int, rho_u: Floats) -> Floats:
+        """See `Profile`."""
+        return self.sides[side].circle(rho_u).foot_angle
+
+    def off_fillet(self, side: int, rho: Floats, delta: Floats, phi: Floats) -> Floats:
+        """See `Profile`."""
+        m = self.member
+        reach = BEYOND * m.face_width
+        low, high = m.inner_cone_distance - reach, m.outer_cone_distance + reach
+        circle = self.sides[side].circle(np.clip(m.end_distance(rho, delta), low, high))
+        azimuth = np.remainder(side * phi - circle.centre_azimuth + np.pi, 2 * np.pi) - np.pi
+        return off_circle(circle.radius, circle.centre_angle, delta, azimuth) * rho
+
+    def extended(self, member: MemberGeometry) -> HypoidProfile:
+        """See `Profile`."""
+        reach = {"outer_cone_distance", "face_width", "fillet_radius", "tip_limit"}
+        changes = {name: getattr(member, name) for name in reach}
+        flanks = {s: _on(side.flank, replace(side.flank.member, **changes)) for s, side in self.sides.items()}
+        return HypoidProfile(member, {s: _side(flanks[s], side.radius) for s, side in self.sides.items()})
+
+    def unmodified(self, flanks: dict[int, Flank]) -> HypoidProfile:
+        """See `Profile`."""
+        return hypoid_profile(flanks)
+
+
+def hypoid_profile(flanks: Mapping[int, Flank]) -> HypoidProfile:
+    """The profile between two flanks by side, without their micro-geometry.
+
+    Raises
+    ------
+    GeometryError
+        Fillets do not join flanks and root, neighbouring fillets leave no root, or a tooth is pointed.
+    """
+    member = flanks[1].member
+    radius = member.fillet_angle
+    for _ in range(_ATTEMPTS):
+        profile = HypoidProfile(member, {side: _side(flank, radius) for side, flank in flanks.items()})
+        places = member.inner_cone_distance + np.linspace(0.0, 1.0, _PLACES) * member.face_width
+        _, first, last = profile.across("root", places)
+        if np.min(last - first) >= _LEAST_ROOT * member.pitch:
+            _refuse_pointed(profile, places)
+            return profile
+        radius *= _SMALLER
+    raise GeometryError(f"the fillets of neighbouring {member.name} teeth overlap; use a smaller fillet factor")
+
+
+def _refuse_pointed(profile: HypoidProfile, places: Floats) -> None:
+    _, first, last = profile.across("tip", places)
+    if np.min(last - first) <= 0:
+        raise GeometryError(f"the {profile.member.name}'s teeth are pointed below their face cone")
+
+
+def _on(flank: Flank, member: MemberGeometry) -> Flank:
+    """A flank continued on a longer and higher member."""
+    if isinstance(flank, ConjugateFlank):
+        return replace(flank, member=member, lower=None)
+    return InvoluteFlank(member, flank.side)
+
+
+def _side(flank: Flank, radius: float) -> FilletSide:
+    """The fillet of a radius [rad] below a flank."""
+    return ConjugateSide(flank, radius) if isinstance(flank, ConjugateFlank) else InvoluteSide(flank.swept, radius)
