@@ -172,8 +172,12 @@ class InvoluteFlank:
     def natural(self, points: ArrayLike) -> tuple[Floats, Floats]:
         """Natural coordinates (psi, rho) of the flank at points on or near it; not below the base cone, (...) each."""
         rho, delta, _ = self.locate(points)
+        return self.natural_at(rho, delta)
+
+    def natural_at(self, rho: ArrayLike, polar_angle: ArrayLike) -> tuple[Floats, Floats]:
+        """Natural coordinates (psi, rho) at places on the flank; those below the base cone count as on it."""
         base = self.member.base_angle
-        return roll_arc(np.clip(delta, base, np.pi - base), base), rho
+        return roll_arc(np.clip(polar_angle, base, np.pi - base), base), np.asarray(rho, dtype=np.float64)
 
     def deviation(self, points: ArrayLike) -> Floats:
         """Signed normal distance of points from the flank, positive where metal is added.

@@ -94,6 +94,18 @@ class Flank(Protocol):
         """Natural coordinates at points on or near the flank."""
         ...
 
+    def natural_at(self, rho: ArrayLike, polar_angle: ArrayLike) -> tuple[Floats, Floats]:
+        """Natural coordinates at places on the flank, or of the nearest one not far beyond its edges."""
+        ...
+
+    def azimuth(self, rho: ArrayLike, polar_angle: ArrayLike) -> Floats:
+        """phi(rho, delta_k) [rad]."""
+        ...
+
+    def lever(self, rho: Floats, polar_angle: Floats) -> Floats:
+        """Normal distance per difference in azimuth [mm/rad]."""
+        ...
+
     def at(self, first: ArrayLike, second: ArrayLike, /) -> Floats:
         """Points at natural coordinates, shape (..., 3)."""
         ...

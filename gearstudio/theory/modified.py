@@ -12,6 +12,7 @@ from gearstudio.theory.cones import Limit, MemberGeometry
 from gearstudio.theory.flank import Flank, FlankName, InvoluteFlank, involute_flank, quarter
 from gearstudio.theory.hypoid.conjugate import ConjugateFlank, pinion_flank
 from gearstudio.theory.hypoid.inputs import MemberName
+from gearstudio.theory.hypoid.modified import ModifiedConjugate
 from gearstudio.theory.involute import polar_angle as polar_angle_of
 from gearstudio.theory.involute import roll_arc, tangent_plane
 from gearstudio.theory.relief import Derivatives, FlankRelief
@@ -178,8 +179,11 @@ def flank_member(member: MemberGeometry, side: int) -> MemberGeometry:
 @lru_cache(maxsize=64)
 def _conjugate(member: MemberGeometry, side: int) -> ConjugateFlank:
     assert member.hypoid is not None
+    own, relief = flank_member(member, side), relief_on(member, side)
     flank = pinion_flank(member.hypoid, member.hypoid.flank_name("pinion", side))
-    return replace(flank, member=flank_member(member, side))
+    if relief is None:
+        return replace(flank, member=own)
+    return ModifiedConjugate(own, side, flank.envelope, relief=relief)
 
 
 def relief_on(member: MemberGeometry, side: int) -> FlankRelief | None:

@@ -11,11 +11,12 @@ from numpy.typing import ArrayLike, NDArray
 from gearstudio.errors import GeometryError
 from gearstudio.theory.cones import MemberGeometry
 from gearstudio.theory.flank import FlankName, InvoluteFlank
+from gearstudio.theory.hypoid.best_line import best_line
 from gearstudio.theory.hypoid.edge import StartOfContact, start_of_contact
 from gearstudio.theory.hypoid.envelope import Envelope
 from gearstudio.theory.hypoid.inverse import generating_point
 from gearstudio.theory.hypoid.pair import HypoidPair
-from gearstudio.theory.hypoid.vectors import dot
+from gearstudio.theory.hypoid.vectors import dot, quarter
 
 Floats = NDArray[np.float64]
 
@@ -61,9 +62,14 @@ class ConjugateFlank:
         """Never: the lower edge is the start of contact, where the flank is regular."""
         return False
 
-    @property
+    @cached_property
     def swept(self) -> InvoluteFlank:
-        """The involute flank on a base cone of its own that touches this one at the mean point."""
+        """The nearest flank that one rigid line sweeps, on base cone and line of its own (`best_line.best_line`)."""
+        return best_line(self)
+
+    @property
+    def touching(self) -> InvoluteFlank:
+        """The involute flank on a base cone of its own that touches this one at the mean point: a reference."""
         return InvoluteFlank(self.member, self.side)
 
     def limits(self, v: ArrayLike) -> tuple[Floats, Floats]:
@@ -147,12 +153,26 @@ class ConjugateFlank:
 
     def locate(self, points: ArrayLike) -> tuple[Floats, Floats, Floats]:
         """Spherical coordinates rho [mm], delta_k [rad], phi [rad] about the pinion's pitch apex, (...) each."""
-        return self.swept.locate(points)
+        return self.touching.locate(points)
 
     def natural(self, points: ArrayLike) -> tuple[Floats, Floats]:
         """Natural coordinates of the flank at points on or near it, (...) each."""
         rho, delta, _ = self.locate(points)
+        return self.natural_at(rho, delta)
+
+    def natural_at(self, rho: ArrayLike, polar_angle: ArrayLike) -> tuple[Floats, Floats]:
+        """Natural coordinates at places on the flank, or of the nearest one not far beyond its edges, (...) each."""
+        rho, delta = np.broadcast_arrays(np.asarray(rho, dtype=np.float64), np.asarray(polar_angle, dtype=np.float64))
         return self.generating(*self._within(rho, delta))
+
+    def azimuth(self, rho: ArrayLike, polar_angle: ArrayLike) -> Floats:
+        """phi(rho, delta_k) of the flank, or of the nearest place not far beyond its edges [rad]."""
+        return self.locate(self.at(*self.natural_at(rho, polar_angle)))[2]
+
+    def lever(self, rho: ArrayLike, polar_angle: ArrayLike) -> Floats:
+        """Normal distance per difference in azimuth [mm/rad]."""
+        point, normal = self._surface(*self.natural_at(rho, polar_angle))
+        return np.asarray(self.side * dot(quarter(point), normal))
 
     def deviation(self, points: ArrayLike) -> Floats:
         """Signed normal distance of points from the flank, positive where metal is added.
@@ -171,11 +191,11 @@ class ConjugateFlank:
         moved, gap = points, np.zeros(points.shape[:-1])
         for _ in range(_FOOT_POINT_STEPS):
             rho, delta, _ = self.locate(moved)
-            p = self.envelope.at(*self.generating(*self._within(rho, delta)))
-            before, gap = gap, dot(points - p.point, p.normal)
+            foot, normal = self._surface(*self.natural_at(rho, delta))
+            before, gap = gap, dot(points - foot, normal)
             if np.all(np.abs(gap - before) <= _FOOT_POINT_ACCURACY * rho):
                 break
-            moved = points - gap[..., None] * p.normal
+            moved = points - gap[..., None] * normal
         return gap
 
     def edge_deviation(self, points: Floats) -> float:
@@ -187,6 +207,11 @@ class ConjugateFlank:
         root = np.abs(delta[0] - self.limits(place[0])[0]) * rho[0]
         tip = np.abs(delta[-1] - self.limits(place[-1])[1]) * rho[-1]
         return float(max(ends, root.max(), tip.max()))
+
+    def _surface(self, psi: Floats, rho: Floats) -> tuple[Floats, Floats]:
+        """Points and unit normals out of the metal at natural coordinates."""
+        made = self.envelope.at(psi, rho)
+        return made.point, made.normal
 
     @cached_property
     def _start(self) -> StartOfContact:

@@ -70,7 +70,7 @@ def test_without_offset_it_is_the_involute_pinion(teeth: tuple[int, int, float, 
     given = HypoidInput(z1, z2, 0.0, 160.0, 26.0, spiral, 80.0, shaft_angle_deg=shaft, pinion_hand=hand, curve=curve)  # type: ignore[arg-type]
     for flank in flanks(replace(given, backlash=0.1)):
         psi, rho = flank.coordinates(U, V)
-        own = flank.swept
+        own = flank.touching
         points = flank.at(psi, rho)
         at, delta, _ = flank.locate(points)
         assert np.abs(points - own.points_at(at, delta)).max() < 1e-11
