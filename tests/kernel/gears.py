@@ -47,10 +47,11 @@ def points_inside(face: Face, wanted: int = 6) -> Floats:
 
 
 def off_fillet(tooth: Tooth, side: int, points: Floats) -> Floats:
-    """How far points (..., 3) of a fillet lie from the circle of theory [mm], shape (...)."""
+    """How far points (..., 3) of a fillet lie from the circle of theory [mm], turned with the flank, shape (...)."""
     fillet, member = tooth.profile.fillet, tooth.member
     rho, delta, phi = profile_flank(tooth.profile, side).locate(points)
-    azimuth = side * (phi - member.lengthwise.azimuth(rho)) - fillet.centre_azimuth
+    turned = member.lengthwise.azimuth(rho) + tooth.profile.shift(side, rho, delta)
+    azimuth = side * (phi - turned) - fillet.centre_azimuth
     half = np.sin((delta - fillet.centre_angle) / 2) ** 2
     half = half + np.sin(delta) * np.sin(fillet.centre_angle) * np.sin(azimuth / 2) ** 2
     return np.asarray((2 * np.arcsin(np.sqrt(half)) - fillet.radius) * rho)

@@ -59,6 +59,11 @@ EXTREMES = {
     "module 100": {"pair": {"outer_module": 100.0}, "lengthwise": {"cutter_radius": 2000.0}},
     "face of 1 %": {"pair": {"face_width_factor": 0.01}},
     "face of 50 %": {"pair": {"face_width_factor": 0.5}},
+    "a quarter of a millimetre": {
+        "pair": {"pinion_teeth": 5, "wheel_teeth": 150, "outer_module": 0.1},
+        "lengthwise": {"curve": "logarithmic"},
+        "tooth": {"profile_shift": 0.4, "addendum_factor": 0.7},
+    },
 }
 
 
@@ -71,6 +76,7 @@ def test_the_ends_of_the_permitted_range_make_valid_gears(name: str, member: str
     assert is_valid(gear.solid)
     assert is_closed(gear.solid)
     assert gear.gap <= largest_gap(gear)
+    assert solid_volume(gear.solid) == pytest.approx(gear_volume(gear.member, gear.outline.points), rel=1e-6)
 
 
 @pytest.mark.slow
