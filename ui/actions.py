@@ -13,7 +13,7 @@ from gearstudio.catalogue import MEMBERS, METHOD_IDS, VARIANTS
 from ui.formatting import MEMBER_TITLES, METHOD_TITLES, VARIANT_TITLES
 from ui.session import ALL
 from ui.theme import icon
-from ui.words import tr
+from ui.words import noted, tr
 
 Keys = QKeySequence.StandardKey
 TIP = "gearstudio_tip"
@@ -62,9 +62,12 @@ COMMANDS = (
     Command("recover", "Reco&ver unsaved work…", "Look for edits that a window which ended unexpectedly had not saved"),
     Command("compare_design", "Co&mpare with design…", "Parameters and derived values beside those of another design"),
     Command("export", "&Export…", "Write flanks, teeth, gears or the pair for other programs", "Ctrl+E", "export"),
+    Command("report", "&Report…", "Design, data sheets, comparison, maps, contact and equations as a PDF", "Ctrl+P"),
     Command("screenshot", "Pi&cture…", "Save or copy a picture of the views or the window", "F12", "camera"),
     Command("film", "&Film…", "Save a turntable, the pair in mesh or the rolling plane as MP4 or GIF", "Shift+F12"),
-    Command("display", "&Display panel", "Colours, surface quality, cameras and ground of the views", "Ctrl+D", "sliders"),
+    Command(
+        "display", "&Display panel", "Colours, surface quality, cameras and ground of the views", "Ctrl+D", "sliders"
+    ),
     Command("full_screen", "&Full screen", "The window alone on the screen, and back", "F11"),
     Command("quit", "&Quit", "", Keys.Quit),
     Command("undo", "&Undo", "Take back the last edit", Keys.Undo, "undo"),
@@ -87,6 +90,9 @@ COMMANDS = (
     Command("restart", "Re&start CAD kernel", "End the CAD process and start a new one"),
     Command("reset_layout", "&Reset layout", "Put every panel back in its place"),
     Command("reset_settings", "&Reset settings…", "Forget layout, lists and preferences; designs stay"),
+    Command("guide", "&Guide", "How to use the studio", Keys.HelpContents),
+    Command("glossary", "G&lossary", "The words of the field, as they are used here"),
+    Command("equations", "&Equations", "Every formula, what the paper prints, and this design's numbers", "Shift+F2"),
     Command("about", "&About GearStudio", "What this is, and the versions of its parts"),
     Command("diagnostics", "Copy &diagnostics", "Copy versions, design and log for a report"),
 )
@@ -102,7 +108,7 @@ class Actions(QObject):
         for command in COMMANDS:
             self.by_name[command.name] = self._make(command)
         self.members = self._choices([(m, MEMBER_TITLES[m], f"Ctrl+Alt+{i}") for i, m in enumerate(MEMBERS, 1)])
-        methods = [(ALL, "All three", "Ctrl+1"), *_numbered(METHOD_IDS, METHOD_TITLES)]
+        methods = [(ALL, noted("All three"), "Ctrl+1"), *_numbered(METHOD_IDS, METHOD_TITLES)]
         self.methods = self._choices(methods)
         self.variants = self._choices([(v, VARIANT_TITLES[v], f"Ctrl+Shift+{i}") for i, v in enumerate(VARIANTS, 1)])
         self.flanks = self._choices([(f, f"{f.capitalize()} flank", "") for f in ("concave", "convex")])
@@ -113,7 +119,9 @@ class Actions(QObject):
             show_keys(action)
             action.setIconVisibleInMenu(False)
         check(self.modes, "flanks")
-        self.schemes = self._choices([("system", "As the system", ""), ("light", "Light", ""), ("dark", "Dark", "")])
+        self.schemes = self._choices(
+            [("system", noted("As the system"), ""), ("light", noted("Light"), ""), ("dark", noted("Dark"), "")]
+        )
         check(self.flanks, "concave")
         check(self.schemes, "system")
         self.views = self._choices(list(VIEW_NAMES), checkable=False)
@@ -121,7 +129,7 @@ class Actions(QObject):
         self.presets = QMenu(tr("&Samples"), window)
         self.resets = QMenu(tr("Reset to &sample"), window)
         self.recent = QMenu(tr("Open &recent"), window)
-        self.layers = QMenu("&Layers", window)
+        self.layers = QMenu(tr("&Layers"), window)
         self._build_menus(window)
         window.addActions(list(self.by_name.values()))
         for group in (self.members, self.methods, self.variants, self.views, self.modes):
@@ -158,7 +166,7 @@ class Actions(QObject):
         from ui.layers import LAYERS
 
         for info in LAYERS:
-            action = self.layers.addAction(info.title)
+            action = self.layers.addAction(tr(info.title))
             action.setData(info.id)
             action.setObjectName(f"layers.{info.id}")
             action.setCheckable(True)
@@ -176,11 +184,11 @@ class Actions(QObject):
         toolbar.addActions(self.modes.actions())
 
     def _make(self, command: Command) -> QAction:
-        action = QAction(command.text, self)
+        action = QAction(tr(command.text), self)
         if command.keys:
             action.setShortcut(QKeySequence(command.keys))
         action.setObjectName(command.name)
-        show_keys(action, command.tip)
+        show_keys(action, tr(command.tip))
         if command.icon:
             self._icons[action] = command.icon
             action.setIcon(icon(command.icon))
@@ -190,7 +198,7 @@ class Actions(QObject):
     def _choices(self, rows: list[tuple[str, str, str]], *, checkable: bool = True) -> QActionGroup:
         group = QActionGroup(self)
         for identifier, text, keys in rows:
-            action = group.addAction(text)
+            action = group.addAction(tr(text))
             action.setData(identifier)
             action.setCheckable(checkable)
             if keys:
@@ -207,32 +215,37 @@ class Actions(QObject):
         start = ("new", "new_window", "open")
         keep = ("", "save", "save_as", "backups", "recover", "", "compare_design", "")
         plan: tuple[tuple[str, tuple[str | QMenu, ...]], ...] = (
-            ("&File", (*start, self.recent, self.presets, *keep, "export", "screenshot", "film", "", "quit")),
-            ("&Edit", ("undo", "redo", "", *EDIT)),
+            (
+                tr("&File"),
+                (*start, self.recent, self.presets, *keep, "export", "report", "screenshot", "film", "", "quit"),
+            ),
+            (tr("&Edit"), ("undo", "redo", "", *EDIT)),
         )
         for title, items in plan:
             _fill(bar.addMenu(title), items, self)
         edit = bar.actions()[1].menu()
         edit.insertMenu(self["find_field"], self.resets)
-        view = bar.addMenu("&View")
+        view = bar.addMenu(tr("&View"))
         view.addActions(self.modes.actions())
         view.addSeparator()
         view.addMenu(self.layers)
         view.addAction(self["display"])
-        _submenu(view, "&Generating line on", self.flanks)
+        _submenu(view, tr("&Generating line on"), self.flanks)
         view.addSeparator()
         view.addActions(self.views.actions())
         view.addSeparator()
-        self.panels = view.addMenu("&Panels")
-        _submenu(view, "&Theme", self.schemes)
+        self.panels = view.addMenu(tr("&Panels"))
+        _submenu(view, tr("&Theme"), self.schemes)
         view.addAction(self["reset_layout"])
         view.addAction(self["full_screen"])
-        model = bar.addMenu("&Model")
+        model = bar.addMenu(tr("&Model"))
         _fill(model, ("build_gear", "build_pair", "", "rebuild", "cancel", "restart"), self)
         for group in (self.members, self.methods, self.variants):
             model.addSeparator()
             model.addActions(group.actions())
-        _fill(bar.addMenu("&Help"), ("what_is_this", "keys", "", "about", "diagnostics", "", "reset_settings"), self)
+        _fill(
+            bar.addMenu(tr("&Help")), ("what_is_this", "keys", "", "about", "diagnostics", "", "reset_settings"), self
+        )
 
 
 def check(group: QActionGroup, identifier: str) -> None:

@@ -27,7 +27,7 @@ from ui.session import Session
 from ui.settings_file import open_settings, reset_settings
 from ui.theme import Theme, is_dark
 from ui.upkeep import Upkeep
-from ui.words import tr
+from ui.words import told, tr
 
 log = logging.getLogger(__name__)
 
@@ -97,12 +97,14 @@ class Studio(QObject):
     @Slot(str)
     def report_crash(self, report: str) -> None:
         """Tell the user of an unexpected error; the window goes on."""
-        words = (
-            "Something unexpected went wrong. The window goes on, and the design is still there: save it under a "
-            f"new name to be safe. The report below helps to mend the fault; it is also in {log_path()}."
+        words = tr(
+            "Something unexpected went wrong. The window goes on, and the design is still there: "
+            "save it under a new name to be safe. The report below helps to mend the fault; it is "
+            "also in {path}.",
+            path=log_path(),
         )
         if not any(dialog.isVisible() for dialog in self._dialogs):
-            self._show_report("Unexpected error", words, report)
+            self._show_report(tr("Unexpected error"), words, report)
 
     def _on_closing(self) -> None:
         self._theme.changed.disconnect(self._on_theme_changed)
@@ -130,10 +132,12 @@ class Studio(QObject):
 
     def _on_failed(self, stage: str, text: str, details: str) -> None:
         if stage == "views":
-            self.window.area.placeholder.set_text("The 3D view could not be loaded.", waiting=False)
+            self.window.area.placeholder.set_text(tr("The 3D view could not be loaded."), waiting=False)
         if stage == "charts":
-            self.window.analysis.show_failure("The analysis could not be loaded.")
-        self.window.messages.show_message("error", f"A part of GearStudio could not be loaded: {text}", details)
+            self.window.analysis.show_failure(tr("The analysis could not be loaded."))
+        self.window.messages.show_message(
+            "error", tr("A part of GearStudio could not be loaded: {text}", text=told(text)), details
+        )
 
     def _make_views(self) -> None:
         from ui.color_bar import ColorBar
@@ -177,10 +181,14 @@ class Studio(QObject):
 
     def _show_about(self) -> None:
         words = (
-            "<b>GearStudio</b><br>Spiral bevel gears from the exact spherical involute: three ways to model the tooth "
-            "flanks, side by side, and how far each is from theory.<br>Apache License 2.0"
+            "<b>GearStudio</b><br>"
+            + tr(
+                "Spiral bevel gears from the exact spherical involute: three ways to model the tooth flanks, side by "
+                "side, and how far each is from theory."
+            )
+            + "<br>Apache License 2.0"
         )
-        self._show_report("About GearStudio", words, versions())
+        self._show_report(tr("About GearStudio"), words, versions())
 
     def _diagnostics(self) -> str:
         draft = "\n".join(f"{field} = {value!r}" for field, value in self.session.draft.items())

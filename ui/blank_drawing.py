@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QDialog, QSizePolicy, QVBoxLayout, QWidget
 
 from ui.formatting import MEMBER_TITLES
 from ui.theme import tokens
+from ui.words import tr
 
 if TYPE_CHECKING:
     from ui.blank_shape import BlankShape, Dimension
@@ -32,8 +33,8 @@ class BlankDrawing(QWidget):
         self._large: BlankDrawing | None = None
         self.setMinimumHeight(LEAST_HEIGHT)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
-        self.setToolTip("Axial section of the blank; double-click to enlarge")
-        self.setAccessibleName(f"Section of the {member}'s blank")
+        self.setToolTip(tr("Axial section of the blank; double-click to enlarge"))
+        self.setAccessibleName(tr("Section of the {member}'s blank", member=tr(member)))
 
     @property
     def shape(self) -> BlankShape | None:
@@ -57,7 +58,7 @@ class BlankDrawing(QWidget):
 
     def _enlarge(self) -> None:
         dialog = QDialog(self.window())
-        dialog.setWindowTitle(f"Blank of the {self.member}")
+        dialog.setWindowTitle(tr("Blank of the {member}", member=tr(self.member)))
         dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         dialog.resize(LARGE)
         self._large = BlankDrawing(self.member)
@@ -86,7 +87,7 @@ class BlankDrawing(QWidget):
                 painter.setOpacity(1.0)
             if self._note or self._shape is None:
                 painter.setPen(QColor(colors.error if self._note else colors.muted))
-                words = self._note or f"{MEMBER_TITLES[self.member]}: no blank yet"
+                words = self._note or tr("{member}: no blank yet", member=tr(MEMBER_TITLES[self.member]))
                 painter.drawText(frame.adjusted(14, 10, -14, -10), _CENTRED, words)
 
 

@@ -11,6 +11,7 @@ from gearstudio.errors import GeometryError, Issue
 from ui.blank_drawing import BlankDrawing
 from ui.parameter_form import ParameterForm
 from ui.session import Session
+from ui.words import told, tr
 
 GROUPS = {"pinion": "Pinion blank", "wheel": "Wheel blank"}
 NOT_THIS = "These sizes make no blank; the field says why."
@@ -39,7 +40,7 @@ class Blanks(QObject):
             try:
                 drawing.show_shape(blank_shape(session.design, session.pair.member(member)), self._note(member))
             except GeometryError as error:
-                drawing.show_shape(None, str(error))
+                drawing.show_shape(None, told(error))
 
     def _on_issues(self, _issues: Sequence[Issue]) -> None:
         for member, drawing in self.drawings.items():
@@ -47,4 +48,4 @@ class Blanks(QObject):
 
     def _note(self, member: str) -> str:
         wrong = [i for i in self._session.issues if i.severity == "error" and i.field.startswith(f"blank.{member}.")]
-        return NOT_THIS if wrong else ""
+        return tr(NOT_THIS) if wrong else ""

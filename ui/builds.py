@@ -10,6 +10,7 @@ from PySide6.QtCore import QElapsedTimer, QObject, Signal, Slot
 from ui.debounce import Debounce
 from ui.formatting import METHOD_TITLES, VARIANT_TITLES
 from ui.session import Failure, Key, Session
+from ui.words import inline, told, tr
 
 if TYPE_CHECKING:
     from gearstudio.jobs import BuildJob, Job
@@ -125,16 +126,29 @@ class Builds(QObject):
     def _announce(self, job: Job, fraction: float) -> None:
         key = self._key(job)
         if key is None:
-            solid = f"Building the {getattr(job, 'member', 'gear')} as a solid"
-            text = {"solid": solid, "export": f"Exporting {job.label}"}.get(job.purpose, job.label.capitalize())
+            solid = tr("Building the {member} as a solid", member=tr(getattr(job, "member", "gear")))
+            text = {"solid": solid, "export": tr("Exporting {label}", label=told(job.label))}.get(
+                job.purpose, _capital(told(job.label))
+            )
             self.work_changed.emit(text, fraction)
             return
         done = self._requested - len(self._awaited)
-        text = f"Building {METHOD_TITLES[key.method]}, {VARIANT_TITLES[key.variant].lower()}"
-        self.work_changed.emit(f"{text} ({done + 1} of {self._requested})", (done + fraction) / max(self._requested, 1))
+        text = tr(
+            "Building {method}, {variant}",
+            method=tr(METHOD_TITLES[key.method]),
+            variant=inline(VARIANT_TITLES[key.variant]),
+        )
+        self.work_changed.emit(
+            tr("{text} ({done} of {all})", text=text, done=done + 1, all=self._requested),
+            (done + fraction) / max(self._requested, 1),
+        )
 
     def _key(self, job: Job) -> Key | None:
         """The result that a job makes; None for a job that is no build."""
         if job.purpose != "build":
             return None
         return Key(job.member, job.method, job.variant)
+
+
+def _capital(text: str) -> str:
+    return text[:1].upper() + text[1:]

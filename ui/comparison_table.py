@@ -15,7 +15,7 @@ from ui.formatting import METHOD_TITLES, MINUS, VARIANT_TITLES, micrometres, sec
 from ui.session import Key, Session
 from ui.tables import table_text
 from ui.theme import tokens
-from ui.words import tr
+from ui.words import told, tr
 
 if TYPE_CHECKING:
     from gearstudio.results import VariantResult
@@ -114,7 +114,7 @@ class ComparisonModel(QAbstractTableModel):
             return tr(VARIANT_TITLES[key.variant])
         session = self._session
         if column == SETTINGS and key in session.failures:
-            return session.failures[key].message
+            return told(session.failures[key].message)
         result = session.results.get(key)
         if column == SETTINGS and key not in session.current:
             return tr("building…") if key == session.building else tr("updating…") if result else tr("waiting…")
@@ -122,7 +122,7 @@ class ComparisonModel(QAbstractTableModel):
 
     def _tip(self, key: Key, column: int) -> str | None:
         if key in self._session.failures:
-            return f"{self._session.failures[key].message}\n{tr('Click to see it in the view.')}"
+            return f"{told(self._session.failures[key].message)}\n{tr('Click to see it in the view.')}"
         return self._text(key, column) if column == SETTINGS else None
 
     def _brush(self, key: Key, column: int) -> QBrush | None:
@@ -195,7 +195,11 @@ class ComparisonTable(QWidget):
         font = self.view.font()
         font.setBold(True)
         metrics = QFontMetrics(font)
-        widest = [METHOD_TITLES.values(), VARIANT_TITLES.values(), *([column.widest] for column in COLUMNS[:-1])]
+        widest = [
+            map(tr, METHOD_TITLES.values()),
+            map(tr, VARIANT_TITLES.values()),
+            *((tr(column.widest), tr(column.title)) for column in COLUMNS[:-1]),
+        ]
         for column, texts in enumerate(widest):
             width = max(metrics.horizontalAdvance(text) for text in texts)
             self.view.setColumnWidth(column, width + CELL_PADDING)

@@ -13,10 +13,13 @@ from ui.blanks import Blanks
 from ui.builds import Builds
 from ui.edits import Edits
 from ui.export_dialog import export_report
+from ui.help.desk import HelpDesk
 from ui.presenter import Presenter, view_title
+from ui.reporting.reporting import Reporting
 from ui.session import Key, Session
 from ui.solid_mode import SolidMode
 from ui.views.display import Display
+from ui.words import told, tr
 
 if TYPE_CHECKING:
     from gearstudio.jobs import Job
@@ -51,6 +54,8 @@ class Controller(QObject):
         self.blanks = Blanks(session, window.form, self)
         self.solid_mode = SolidMode(session, window, self.presenter, self)
         self.display = Display(session, window, self.presenter, self.solid_mode, self)
+        self.reporting = Reporting(session, window, self)
+        self.help = HelpDesk(session, window)
         self.runner: JobRunner | None = None
         self._connect_form()
         self._connect_selection()
@@ -75,6 +80,7 @@ class Controller(QObject):
         self.builds.use(runner)
         self.solid_mode.use_runner(runner)
         self.analysis.use_runner(runner)
+        self.reporting.use_runner(runner)
         runner.start()
         self.builds.build_missing()
 
@@ -153,6 +159,7 @@ class Controller(QObject):
             "save": files.save,
             "save_as": files.save_as,
             "export": files.export,
+            "report": self.reporting.open,
             "screenshot": self.display.take_picture,
             "film": self.display.make_film,
             "quit": window.close,
@@ -230,7 +237,7 @@ class Controller(QObject):
         failed = [k for k in session.visible_keys if k in session.failures and not session.failures[k].cancelled]
         if key in failed:
             failure = session.failures[key]
-            text = f"{view_title(key)}: {failure.message}"
+            text = f"{view_title(key)}: {told(failure.message)}"
             self.window.messages.show_message("error", text, failure.details, topic="build")
         elif not failed:
             self.window.messages.clear("build")
@@ -245,10 +252,10 @@ class Controller(QObject):
         log.info("CAD process: %s %s", state, reason)
         self.window.status.show_worker(state)
         if state == "replaced":
-            text = "The CAD kernel stopped unexpectedly and is being restarted; nothing of the design is lost."
+            text = tr("The CAD kernel stopped unexpectedly and is being restarted; nothing of the design is lost.")
             self.window.messages.show_message("warning", text, reason, topic="worker")
         elif state == "stopped" and reason:
-            text = "The CAD kernel could not be started. Model ▸ Restart CAD kernel tries again."
+            text = tr("The CAD kernel could not be started. Model ▸ Restart CAD kernel tries again.")
             self.window.messages.show_message("error", text, reason, topic="worker")
         elif state in ("ready", "busy"):
             self.window.messages.clear("worker")
@@ -262,7 +269,9 @@ class Controller(QObject):
     def _on_export_failed(self, job: Job, text: str, details: str) -> None:
         if job.purpose != "export":
             return
-        self.window.messages.show_message("error", f"The export failed: {text}", details, topic="export")
+        self.window.messages.show_message(
+            "error", tr("The export failed: {text}", text=told(text)), details, topic="export"
+        )
 
     def _on_hovered(self, hover: Any) -> None:
         self.window.status.show_hover(hover)

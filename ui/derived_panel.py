@@ -87,12 +87,12 @@ def pair_rows(pair: PairGeometry) -> tuple[tuple[str, str, str, str], ...]:
 
     across, along = transverse_contact_ratio(pair), overlap_ratio(pair)
     return (
-        ("Gear ratio", "u", fixed(pair.wheel.teeth / pair.pinion.teeth, 4), ""),
-        ("Mean normal module", "m_n", value_text(pair.mean_normal_module, "mm"), unit_shown("mm")),
-        ("Pressure angle, normal", "α_n", value_text(math.degrees(pair.normal_pressure_angle), "°"), "°"),
-        ("Transverse contact ratio", "ε_α", fixed(across, 3), ""),
-        ("Overlap ratio", "ε_β", fixed(along, 3), ""),
-        ("Modified contact ratio", "ε_o", fixed(math.hypot(across, along), 3), ""),
+        (tr("Gear ratio"), "u", fixed(pair.wheel.teeth / pair.pinion.teeth, 4), ""),
+        (tr("Mean normal module"), "m_n", value_text(pair.mean_normal_module, "mm"), unit_shown("mm")),
+        (tr("Pressure angle, normal"), "α_n", value_text(math.degrees(pair.normal_pressure_angle), "°"), "°"),
+        (tr("Transverse contact ratio"), "ε_α", fixed(across, 3), ""),
+        (tr("Overlap ratio"), "ε_β", fixed(along, 3), ""),
+        (tr("Modified contact ratio"), "ε_o", fixed(math.hypot(across, along), 3), ""),
     )
 
 

@@ -28,7 +28,7 @@ from gearstudio.jobs import CONSTRUCTIONS, ExportedFile, ExportJob
 from ui.export_options import OptionsPanel, StillCombo
 from ui.fields import set_severity
 from ui.formatting import CONSTRUCTION_TITLES, MEMBER_TITLES, METHOD_TITLES, VARIANT_TITLES
-from ui.words import tr
+from ui.words import told, tr
 
 if TYPE_CHECKING:
     from ui.session import Session
@@ -235,13 +235,13 @@ def export_report(files: tuple[ExportedFile, ...]) -> tuple[str, str]:
 
 def _found(file: ExportedFile) -> str:
     check = file.check
-    lines = [f"{file.path.name}: {check}"]
+    lines = [f"{file.path.name}: {told(check)}"]
     low, high = check.box
     box = " × ".join(f"{b - a:.6g}" for a, b in zip(low, high, strict=True))
     lines.append(tr("box {box} mm · read by {kernel}", box=box, kernel=check.kernel))
     for face in check.worst:
         words = tr("{member} {face}: within {largest} µm of theory ({limit} µm allowed)",
-                   member=face.member, face=face.title, largest=f"{face.largest_um:.4f}",
+                   member=tr(face.member), face=told(face.title), largest=f"{face.largest_um:.4f}",
                    limit=f"{face.limit_um:.4f}")  # fmt: skip
         lines.append(words)
     if check.chord_um is not None and check.chord_limit_um is not None:

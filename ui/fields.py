@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QComboBox, QLineEdit, QWidget
 from gearstudio.design import FieldSpec
 from ui.formatting import NUMBER, choice_title, parse_number
 from ui.units import factor, from_shown, shown_text, spaced, to_shown
+from ui.words import tr
 
 
 class _Line(QLineEdit):
@@ -131,7 +132,7 @@ class ChoiceField(QComboBox):
         self.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
         self.setMinimumContentsLength(6)
         for choice in spec.choices or ():
-            self.addItem(choice_title(choice), choice)
+            self.addItem(tr(choice_title(choice)), choice)
         self.activated.connect(lambda _index: self.value_edited.emit(self.value()))
 
     def value(self) -> Any:

@@ -13,14 +13,14 @@ from gearstudio.errors import DesignError, FileError
 from ui.export_dialog import ExportDialog
 from ui.projects.lock import ProjectLock, ask_how_to_open
 from ui.session import Session
-from ui.words import tr
+from ui.words import noted, told, tr
 
 if TYPE_CHECKING:
     from gearstudio.presets import Preset
     from ui.main_window import MainWindow
 
 SUFFIX = ".gear.toml"
-FILTER = f"Gear designs (*{SUFFIX});;All files (*)"
+FILTER = noted("Gear designs (*.gear.toml);;All files (*)")
 Answer = QMessageBox.StandardButton
 
 
@@ -70,7 +70,7 @@ class Files(QObject):
 
     def open(self) -> None:
         """Ask for a file and open it."""
-        name, _ = QFileDialog.getOpenFileName(self._window, "Open design", self._folder, FILTER)
+        name, _ = QFileDialog.getOpenFileName(self._window, tr("Open design"), self._folder, tr(FILTER))
         if name:
             self.open_path(Path(name))
 
@@ -84,7 +84,7 @@ class Files(QObject):
         try:
             self._take(open_design(name), None)
         except FileError as error:
-            self._window.messages.show_message("error", str(error), topic="file")
+            self._window.messages.show_message("error", told(error), topic="file")
 
     def open_path(self, path: Path) -> bool:
         """Open a design file; when it cannot be used, say why and keep what there is."""
@@ -94,17 +94,19 @@ class Files(QObject):
             design = load_design(path)
         except DesignError as error:
             count = len(error.issues)
-            text = (
-                f"{path.name} was not opened: {error.issues[0]}"
-                if count == 1
-                else (f"{path.name} was not opened: it has {count} problems, the first at {error.issues[0]}")
-            )
-            self._window.messages.show_message("error", text, "\n".join(map(str, error.issues)), topic="file")
+            text = tr("{name} was not opened: {problem}", name=path.name, problem=told(error.issues[0]))
+            if count > 1:
+                text = tr(
+                    "{name} was not opened: it has {count} problems, the first at {problem}",
+                    name=path.name,
+                    count=count,
+                    problem=told(error.issues[0]),
+                )
+            self._window.messages.show_message("error", text, told(error), topic="file")
             return False
         except FileError as error:
-            self._window.messages.show_message(
-                "error", f"{path.name} was not opened: {error.reason}", str(error), topic="file"
-            )
+            text = tr("{name} was not opened: {problem}", name=path.name, problem=told(error.reason))
+            self._window.messages.show_message("error", text, str(error), topic="file")
             return False
         return self._open_as(design, path)
 
@@ -142,7 +144,7 @@ class Files(QObject):
         known = self._session.path
         name = known.name if known else f"{_file_name(self._session.design.name)}{SUFFIX}"
         start = (folder or (known.parent if known else Path(self._folder))) / name
-        name, _ = QFileDialog.getSaveFileName(self._window, "Save design", str(start), FILTER)
+        name, _ = QFileDialog.getSaveFileName(self._window, tr("Save design"), str(start), tr(FILTER))
         if not name:
             return False
         path = Path(name)
@@ -154,12 +156,12 @@ class Files(QObject):
             return True
         box = QMessageBox(
             QMessageBox.Icon.Question,
-            "Unsaved changes",
-            f"Save the changes to “{self._session.title}”?",
+            tr("Unsaved changes"),
+            tr("Save the changes to “{name}”?", name=self._session.title),
             Answer.Save | Answer.Discard | Answer.Cancel,
             self._window,
         )
-        box.setInformativeText("They are lost if you do not save them.")
+        box.setInformativeText(tr("They are lost if you do not save them."))
         box.setDefaultButton(Answer.Save)
         answer = box.exec()
         return answer == Answer.Discard or (answer == Answer.Save and self.save())
@@ -202,17 +204,20 @@ class Files(QObject):
         except FileError as error:
             if self._session.path is not None and not self._session.read_only:
                 self.lock.take(self._session.path)
-            self._window.messages.show_message(
-                "error", f"{path.name} was not saved: {error.reason}", str(error), topic="file"
-            )
+            text = tr("{name} was not saved: {problem}", name=path.name, problem=told(error.reason))
+            self._window.messages.show_message("error", text, str(error), topic="file")
             return False
         self._folder = str(path.parent)
         self._session.mark_saved(path, self._session.design)
         self.file_used.emit(path)
         self.saved.emit(path)
         if wrong:
-            text = f"Saved the last good design; {len(wrong)} field(s) with problems are not in {path.name}"
-            self._window.messages.show_message("warning", text, "\n".join(map(str, wrong)), topic="file")
+            text = tr(
+                "Saved the last good design; {count} field(s) with problems are not in {name}",
+                count=len(wrong),
+                name=path.name,
+            )
+            self._window.messages.show_message("warning", text, "\n".join(map(told, wrong)), topic="file")
             return False
         self._window.messages.clear("file")
         return True

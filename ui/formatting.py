@@ -9,6 +9,7 @@ from html import escape
 from typing import Any
 
 from gearstudio.catalogue import METHOD_INFOS
+from ui.words import tr
 
 MINUS = "\N{MINUS SIGN}"
 NUMBER = re.compile(r"[+-]?(\d+([.,]\d*)?|[.,]\d+)([eE][+-]?\d+)?", re.ASCII)
@@ -82,19 +83,19 @@ def fixed(value: float, decimals: int) -> str:
 
 def settings_text(settings: Mapping[str, Any]) -> str:
     """What a construction took, in one line: ``positions 9, samples 12 × 14``."""
-    return ", ".join(f"{key.replace('_', ' ')} {_setting(value)}" for key, value in settings.items())
+    return ", ".join(f"{tr(key.replace('_', ' '))} {_setting(value)}" for key, value in settings.items())
 
 
 def _setting(value: Any) -> str:
     if isinstance(value, bool):
-        return "yes" if value else "no"
+        return tr("yes") if value else tr("no")
     if isinstance(value, float):
         return f"{value:.4g}"
     if isinstance(value, list | tuple):
         return " × ".join(_setting(item) for item in value)
     if isinstance(value, Mapping):
         return f"({settings_text(value)})"
-    return str(value)
+    return tr(value) if isinstance(value, str) else str(value)
 
 
 def choice_title(value: str) -> str:

@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QCheckBox, QHBoxLayout, QVBoxLayout, QWidget
 from ui.card import ScrollCard
 from ui.method_bar import Segments
 from ui.theme import tokens
-from ui.words import tr
+from ui.words import inline, tr
 
 if TYPE_CHECKING:
     from ui.layers import LayerInfo
@@ -41,7 +41,7 @@ class LayerPanel(QWidget):
         self._boxes: dict[str, QCheckBox] = {}
         self._swatches: dict[str, LayerSwatch] = {}
         self._sets: dict[str, frozenset[str]] = {}
-        self.sets = Segments((), "Set of layers")
+        self.sets = Segments((), tr("Set of layers"))
         card = ScrollCard((12, 8, 10, 8))
         self._rows = card.rows
         layout = QVBoxLayout(self)
@@ -54,10 +54,10 @@ class LayerPanel(QWidget):
         """Make the rows, which needs the arrays' library: once, after the first paint."""
         from ui.layers import LAYER_SETS, LAYERS
 
-        titles = {info.id: info.title.lower() for info in LAYERS}
+        titles = {info.id: inline(info.title) for info in LAYERS}
         for name, ids in LAYER_SETS:
             words = ", ".join(title for layer_id, title in titles.items() if layer_id in ids)
-            self.sets.add(name, name, f"Show: {words}")
+            self.sets.add(name, name, tr("Show: {words}", words=words))
         self._sets = dict(LAYER_SETS)
         self.sets.chosen.connect(lambda name: self.set_chosen.emit(self._sets[name]))
         for info in LAYERS:

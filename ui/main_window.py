@@ -23,6 +23,7 @@ from ui.status import Status
 from ui.theme import HERE, refresh_icons
 from ui.view_area import ViewArea
 from ui.wheel_guard import guard_wheel
+from ui.words import noted, tr
 
 LAYOUT_VERSION = 3
 ROOMY_WIDTH = 1500
@@ -96,7 +97,7 @@ class MainWindow(QMainWindow):
 
     def show_document(self, title: str, unsaved: bool) -> None:
         """Name of the design in the title bar, with the system's mark while it is unsaved."""
-        self.setWindowTitle(f"{title}[*] – GearStudio")
+        self.setWindowTitle(tr("{title}[*] – GearStudio", title=title))
         self.setWindowModified(unsaved)
 
     def refresh_theme(self) -> None:
@@ -202,7 +203,7 @@ class MainWindow(QMainWindow):
         event.accept()
 
     def _make_toolbar(self) -> None:
-        toolbar = QToolBar("Commands")
+        toolbar = QToolBar(tr("Commands"))
         toolbar.setObjectName("commands")
         toolbar.setMovable(False)
         toolbar.setIconSize(QSize(20, 20))
@@ -218,12 +219,12 @@ class MainWindow(QMainWindow):
             self.setCorner(corner, LEFT)
         self.setCorner(Qt.Corner.BottomRightCorner, BOTTOM)
         self._docks = {
-            self._dock("Parameters", self.form): LEFT,
-            self._dock("Derived values", self.derived): LEFT,
-            self._dock("Layers", self.layer_panel): RIGHT,
-            self._dock("Analysis", self.analysis): BOTTOM,
+            self._dock(noted("Parameters"), self.form): LEFT,
+            self._dock(noted("Derived values"), self.derived): LEFT,
+            self._dock(noted("Layers"), self.layer_panel): RIGHT,
+            self._dock(noted("Analysis"), self.analysis): BOTTOM,
         }
-        self._solid_dock = self._dock("Solid", self.solid_panel)
+        self._solid_dock = self._dock(noted("Solid"), self.solid_panel)
         movable = QDockWidget.DockWidgetFeature.DockWidgetMovable | QDockWidget.DockWidgetFeature.DockWidgetFloatable
         self._solid_dock.setFeatures(movable)
         self.addDockWidget(RIGHT, self._solid_dock)
@@ -238,7 +239,7 @@ class MainWindow(QMainWindow):
             self.commands.panels.addAction(action)
 
     def _dock(self, title: str, widget: QWidget) -> QDockWidget:
-        dock = QDockWidget(title, self)
+        dock = QDockWidget(tr(title), self)
         dock.setObjectName(title)
         dock.setWidget(widget)
         return dock

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from ui.formatting import seconds, significant
+from ui.words import tr
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -59,22 +60,28 @@ def properties(results: Sequence[SolidResult | None], density: float) -> tuple[P
 
     inertias = (("g mm²", 1e3), ("kg mm²", 1.0), ("kg m²", 1e-6))
     return (
-        row("Valid", "", "The kernel's full check of the solid", lambda r: "yes" if r.valid else "no"),
-        row("Closed", "", "One closed shell", lambda r: "yes" if r.closed else "no"),
-        row("Faces", "", "Number of faces of the solid", lambda r: str(r.face_count)),
-        scaled("Gap", "Largest between neighbouring faces", (("nm", 1e6), ("µm", 1e3)), lambda r: r.gap),
-        scaled("Volume", "Enclosed", (("mm³", 1.0), ("cm³", 1e-3), ("dm³", 1e-6)), lambda r: r.properties.volume),
-        scaled("Area", "Of the whole surface", (("mm²", 1.0), ("cm²", 1e-2)), lambda r: r.properties.area),
-        scaled("Mass", "In the chosen material", (("g", 1e3), ("kg", 1.0)), lambda r: weight * r.properties.volume),
-        row("Centre z", "mm", "Of mass, from the apex", lambda r: significant(r.properties.centre[2], 5)),
-        scaled("Inertia z", "About the gear's axis", inertias, lambda r: weight * float(r.properties.inertia[2, 2])),
+        row(tr("Valid"), "", tr("The kernel's full check of the solid"), lambda r: tr("yes") if r.valid else tr("no")),
+        row(tr("Closed"), "", tr("One closed shell"), lambda r: tr("yes") if r.closed else tr("no")),
+        row(tr("Faces"), "", tr("Number of faces of the solid"), lambda r: str(r.face_count)),
+        scaled(tr("Gap"), tr("Largest between neighbouring faces"), (("nm", 1e6), ("µm", 1e3)), lambda r: r.gap),
         scaled(
-            "Inertia x",
-            "About an axis through the centre of mass, square to the gear's axis",
+            tr("Volume"), tr("Enclosed"), (("mm³", 1.0), ("cm³", 1e-3), ("dm³", 1e-6)), lambda r: r.properties.volume
+        ),
+        scaled(tr("Area"), tr("Of the whole surface"), (("mm²", 1.0), ("cm²", 1e-2)), lambda r: r.properties.area),
+        scaled(
+            tr("Mass"), tr("In the chosen material"), (("g", 1e3), ("kg", 1.0)), lambda r: weight * r.properties.volume
+        ),
+        row(tr("Centre z"), "mm", tr("Of mass, from the apex"), lambda r: significant(r.properties.centre[2], 5)),
+        scaled(
+            tr("Inertia z"), tr("About the gear's axis"), inertias, lambda r: weight * float(r.properties.inertia[2, 2])
+        ),
+        scaled(
+            tr("Inertia x"),
+            tr("About an axis through the centre of mass, square to the gear's axis"),
             inertias,
             lambda r: weight * float(r.properties.inertia[0, 0]),
         ),
-        row("Built in", "", "Building and checking", lambda r: seconds(r.seconds)),
+        row(tr("Built in"), "", tr("Building and checking"), lambda r: seconds(r.seconds)),
     )
 
 

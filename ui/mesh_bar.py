@@ -6,6 +6,7 @@ from PySide6.QtCore import QElapsedTimer, QEvent, QSignalBlocker, Qt, QTimer, Si
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QSlider, QToolButton, QWidget
 
 from ui.theme import refresh_icons, set_icon
+from ui.words import tr
 
 STEPS_PER_DEGREE = 10
 TEETH_PER_SECOND = 1.0
@@ -31,17 +32,17 @@ class MeshBar(QWidget):
         super().__init__(parent)
         self._angle, self._teeth, self._ratio = 0.0, 17, 1.0
         self.frame_ms = 0.0
-        self._play = self._button("play", "Turn the pair in mesh", self._toggle)
-        self._back = self._button("step-back", "Back by a twelfth of a tooth", lambda: self.step(-1))
-        self._on = self._button("step-on", "On by a twelfth of a tooth", lambda: self.step(1))
+        self._play = self._button("play", tr("Turn the pair in mesh"), self._toggle)
+        self._back = self._button("step-back", tr("Back by a twelfth of a tooth"), lambda: self.step(-1))
+        self._on = self._button("step-on", tr("On by a twelfth of a tooth"), lambda: self.step(1))
         self._slider = QSlider(Qt.Orientation.Horizontal, self, maximum=360 * STEPS_PER_DEGREE, pageStep=100)
-        self._slider.setAccessibleName("Turn of the pinion")
+        self._slider.setAccessibleName(tr("Turn of the pinion"))
         self._slider.setMinimumWidth(90)
         self._slider.valueChanged.connect(lambda value: self._take(value / STEPS_PER_DEGREE))
         self._slider.sliderPressed.connect(self.pause)
         self._speed = QComboBox(self)
-        self._speed.setToolTip("Speed; at 1× one tooth passes each second")
-        self._speed.setAccessibleName("Speed")
+        self._speed.setToolTip(tr("Speed; at 1× one tooth passes each second"))
+        self._speed.setAccessibleName(tr("Speed"))
         for speed in SPEEDS:
             self._speed.addItem(f"{speed:g}×", speed)
         self._speed.setCurrentIndex(SPEEDS.index(0.5))
@@ -112,7 +113,11 @@ class MeshBar(QWidget):
         self.turned.emit(angle)
 
     def _text(self, angle: float) -> str:
-        return f"Pinion {angle:.1f}° · wheel {-angle * self._ratio:.1f}°".replace("-0.0°", "0.0°").replace("-", "−")
+        return (
+            tr("Pinion {pinion:.1f}° · wheel {wheel:.1f}°", pinion=angle, wheel=-angle * self._ratio)
+            .replace("-0.0°", "0.0°")
+            .replace("-", "−")
+        )
 
     def _show(self) -> None:
         self._label.setText(self._text(self._angle))

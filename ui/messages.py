@@ -19,7 +19,7 @@ from PySide6.QtWidgets import (
 
 from ui.fields import set_severity
 from ui.theme import icon, set_icon
-from ui.words import tr
+from ui.words import told, tr
 
 
 class MessageBar(QFrame):
@@ -86,8 +86,8 @@ class MessageBar(QFrame):
         """
         self.topic = topic
         self._severity = severity
-        self._full = f"{text}\n\n{details}" if details else text
-        self._text.setText(text)
+        self._full = f"{told(text)}\n\n{details}" if details else told(text)
+        self._text.setText(told(text))
         self._details.setPlainText(details)
         self._more.setVisible(bool(details))
         self._more.setChecked(False)

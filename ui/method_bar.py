@@ -13,10 +13,7 @@ from ui.formatting import MEMBER_TITLES, METHOD_TITLES, VARIANT_TITLES
 from ui.session import ALL
 from ui.words import tr
 
-METHOD_TIPS = {
-    ALL: "The three methods side by side, seen from the same place",
-    **{info.id: f"{info.summary} ({info.paper_section} of the paper)" for info in METHOD_INFOS},
-}
+ALL_TIP = "The three methods side by side, seen from the same place"
 MEMBER_TIPS = {"pinion": "Show the pinion and build its flanks", "wheel": "Show the wheel and build its flanks"}
 VARIANT_TIPS = {
     "published": "The construction as printed: few positions, two profiles, 7 × 7 points",
@@ -102,12 +99,12 @@ class MethodBar(QWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.methods = Segments(
-            [(ALL, "All three", METHOD_TIPS[ALL])]
-            + [(method, METHOD_TITLES[method], METHOD_TIPS[method]) for method in METHOD_IDS],
-            "Method",
+            [(ALL, tr("All three"), ALL_TIP)]
+            + [(method, METHOD_TITLES[method], _method_tip(method)) for method in METHOD_IDS],
+            tr("Method"),
         )
-        self.variants = Segments([(v, VARIANT_TITLES[v], VARIANT_TIPS[v]) for v in VARIANTS], "Variant")
-        self.members = Segments([(m, MEMBER_TITLES[m], MEMBER_TIPS[m]) for m in MEMBERS], "Member")
+        self.variants = Segments([(v, VARIANT_TITLES[v], VARIANT_TIPS[v]) for v in VARIANTS], tr("Variant"))
+        self.members = Segments([(m, MEMBER_TITLES[m], MEMBER_TIPS[m]) for m in MEMBERS], tr("Member"))
         self.methods.chosen.connect(self.method_chosen)
         self.variants.chosen.connect(self.variant_chosen)
         self.members.chosen.connect(self.member_chosen)
@@ -123,3 +120,8 @@ class MethodBar(QWidget):
         self.members.set_choice(member)
         self.methods.set_choice(method)
         self.variants.set_choice(variant)
+
+
+def _method_tip(method: str) -> str:
+    info = next(info for info in METHOD_INFOS if info.id == method)
+    return tr("{summary} ({section} of the paper)", summary=tr(info.summary), section=tr(info.paper_section))

@@ -16,7 +16,7 @@ from ui.fields import NumberField, TextField, set_severity
 from ui.form_rows import FieldRow
 from ui.form_section import Section
 from ui.modification_table import MODIFICATIONS, ModificationTable, section_of
-from ui.words import tr
+from ui.words import told, tr
 
 MINIMUM_WIDTH = 330
 MESSAGE_DELAY_MS = 250
@@ -269,8 +269,14 @@ class ParameterForm(QWidget):
             text = tr("{count}: the last good model stays", count=text)
         self._summary.setText(text or tr("All parameters are good"))
         self._summary.setEnabled(bool(issues))
-        self._summary.setToolTip("\n\n".join(str(issue) for issue in issues) or tr("What is wrong with the parameters"))
+        self._summary.setToolTip(
+            "\n\n".join(_told(issue) for issue in issues) or tr("What is wrong with the parameters")
+        )
         set_severity(self._summary, "error" if errors else "warning" if warnings else "ok")
+
+
+def _told(issue: Issue) -> str:
+    return f"{issue.field}: {told(issue.message)}" if issue.field else told(issue.message)
 
 
 def _worst(issues: Sequence[Issue]) -> str:

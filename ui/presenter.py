@@ -10,6 +10,7 @@ from PySide6.QtCore import QObject, QTimer, Slot
 from ui.formatting import METHOD_TITLES, VARIANT_TITLES, micrometres
 from ui.session import Key, Session
 from ui.views.wardrobe import Wardrobe
+from ui.words import inline, told, tr
 
 if TYPE_CHECKING:
     from gearstudio.results import VariantResult
@@ -24,23 +25,27 @@ REDRAW_PAUSE_MS = 15
 
 def view_title(key: Key) -> str:
     """Method and variant, over a view."""
-    return f"{METHOD_TITLES[key.method]} · {VARIANT_TITLES[key.variant].lower()}"
+    return f"{tr(METHOD_TITLES[key.method])} · {inline(VARIANT_TITLES[key.variant])}"
 
 
 def view_subtitle(session: Session, key: Key) -> str:
     """How a view's result stands: its deviation, or why there is none (yet)."""
     result = session.results.get(key)
     if key in session.failures:
-        return session.failures[key].message
+        return told(session.failures[key].message)
     if result is not None:
         largest = micrometres(result.statistics.max_um)
-        return result_words(result) if key in session.current else f"updating… (max was {largest})"
-    return "building…" if key == session.building else "waiting for the CAD kernel…"
+        return result_words(result) if key in session.current else tr("updating… (max was {largest})", largest=largest)
+    return tr("building…") if key == session.building else tr("waiting for the CAD kernel…")
 
 
 def result_words(result: VariantResult) -> str:
     """The deviation of a result in a few words."""
-    return f"max {micrometres(result.statistics.max_um)} · mean {micrometres(result.statistics.mean_um)}"
+    return tr(
+        "max {largest} · mean {mean}",
+        largest=micrometres(result.statistics.max_um),
+        mean=micrometres(result.statistics.mean_um),
+    )
 
 
 def largest_of(results: Iterable[VariantResult]) -> float:

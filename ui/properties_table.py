@@ -42,8 +42,8 @@ class PropertiesTable(QWidget):
         self.material.setAccessibleName(tr("Material"))
         self.material.setToolTip(tr("Material that the mass is computed with"))
         for material in MATERIALS:
-            self.material.addItem(material.name, material.density)
-        self.material.addItem(CUSTOM, None)
+            self.material.addItem(tr(material.name), material.density)
+        self.material.addItem(tr(CUSTOM), None)
         self._density = MATERIALS[0].density
         self.density_field = QLineEdit(number_text(self._density))
         self.density_field.setAccessibleName(tr("Density"))
@@ -71,7 +71,7 @@ class PropertiesTable(QWidget):
         self.table.setSelectionMode(QAbstractItemView.SelectionMode.ContiguousSelection)
         self.table.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.table.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        heading = QLabel("Properties")
+        heading = QLabel(tr("Properties"))
         heading.setProperty("role", "heading")
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
@@ -90,13 +90,13 @@ class PropertiesTable(QWidget):
     def text_table(self) -> str:
         """All properties as tab-separated text."""
         rows = properties(self._results, self._density)
-        head = "\t".join(["", *(MEMBER_TITLES[member] for member in self._members), ""])
+        head = "\t".join(["", *(tr(MEMBER_TITLES[member]) for member in self._members), ""])
         return "\n".join([head, *("\t".join([row.title, *row.texts, row.unit]) for row in rows)])
 
     def _refresh(self) -> None:
         rows = properties(self._results, self._density)
         self.table.setColumnCount(1 + len(self._members))
-        self.table.setHorizontalHeaderLabels(["", *(MEMBER_TITLES[member] for member in self._members)])
+        self.table.setHorizontalHeaderLabels(["", *(tr(MEMBER_TITLES[member]) for member in self._members)])
         header = self.table.horizontalHeader()
         for column in range(self.table.columnCount()):
             mode = QHeaderView.ResizeMode.Stretch if column == 0 else QHeaderView.ResizeMode.Fixed
@@ -131,7 +131,7 @@ class PropertiesTable(QWidget):
         density = parse_number(text)
         if isinstance(density, str) or not 0 < density <= HEAVIEST:
             set_severity(self.density_field, "error")
-            self.density_field.setToolTip(f"A number above 0, at most {HEAVIEST:g} kg/m³")
+            self.density_field.setToolTip(tr("A number above 0, at most {most:g} kg/m³", most=HEAVIEST))
             return
         known = [index for index, material in enumerate(MATERIALS) if material.density == density]
         with QSignalBlocker(self.material):

@@ -6,6 +6,7 @@ from PySide6.QtCore import QElapsedTimer, QEvent, QSignalBlocker, Qt, QTimer, Si
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSlider, QToolButton, QWidget
 
 from ui.theme import icon
+from ui.words import tr
 
 STEPS = 1000
 SECONDS_PER_SWEEP = 6.0
@@ -29,11 +30,11 @@ class RollSlider(QWidget):
         super().__init__(parent)
         self._span_deg = 0.0
         self._play = QToolButton(self, checkable=True, autoRaise=True)
-        self._play.setToolTip("Roll the plane and let the line sweep out the flank")
-        self._play.setAccessibleName("Play")
+        self._play.setToolTip(tr("Roll the plane and let the line sweep out the flank"))
+        self._play.setAccessibleName(tr("Play"))
         self._play.toggled.connect(self._on_play_toggled)
         self._slider = QSlider(Qt.Orientation.Horizontal, self, maximum=STEPS, singleStep=5, pageStep=50, value=STEPS)
-        self._slider.setAccessibleName("Roll of the tangent plane")
+        self._slider.setAccessibleName(tr("Roll of the tangent plane"))
         self._slider.setMinimumWidth(120)
         self._slider.valueChanged.connect(self._on_slid)
         self._slider.sliderPressed.connect(self.pause)
@@ -101,7 +102,7 @@ class RollSlider(QWidget):
         self.rolled.emit(value / STEPS)
 
     def _text(self, degrees: float) -> str:
-        return f"Roll of the tangent plane: {degrees:.1f}°"
+        return tr("Roll of the tangent plane: {degrees:.1f}°", degrees=degrees)
 
     def _show_angle(self) -> None:
         self._label.setText(self._text(self.roll * self._span_deg))

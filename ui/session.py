@@ -166,7 +166,7 @@ class Session(QObject):
     def put_cancelled(self, design: Design, key: Key) -> None:
         """Note that the user stopped a build; an older result stays, marked as such."""
         if design == self.design:
-            self.failures[key] = Failure("Cancelled; Rebuild builds it", "", cancelled=True)
+            self.failures[key] = Failure(tr("Cancelled; Rebuild builds it"), "", cancelled=True)
         self._settle(key)
 
     def put_building(self, key: Key | None) -> None:

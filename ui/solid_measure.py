@@ -12,6 +12,7 @@ from ui.measure_overlay import MeasureOverlay
 from ui.measuring import Picked, measure, pick
 from ui.picking import Picker
 from ui.solid_words import measured
+from ui.words import tr
 
 if TYPE_CHECKING:
     from ui.solid_view import SolidView
@@ -63,7 +64,7 @@ class SolidMeasure(QObject):
         if found is None:
             return
         self._points = [found] if len(self._points) == 2 else [*self._points, found]
-        self._say(measured(measure(*self._points)) if len(self._points) == 2 else "Click the second point.")
+        self._say(measured(measure(*self._points)) if len(self._points) == 2 else tr("Click the second point."))
         self._place()
 
     def _place(self) -> None:

@@ -71,7 +71,7 @@ class SolidPanel(QWidget):
         layout.setContentsMargins(2, 0, 8, 4)
         layout.addWidget(card)
         self.setMinimumWidth(262)
-        self.show_state("Not built yet", "muted", None)
+        self.show_state(tr("Not built yet"), "muted", None)
         self._show_section()
 
     # ---- what is chosen ------------------------------------------------------------------------------
@@ -134,7 +134,7 @@ class SolidPanel(QWidget):
 
     def show_measure(self, text: str) -> None:
         """The read-out under Measure, rich text; an invitation when empty."""
-        self._reading.setText(text or "Click two points of the solid.")
+        self._reading.setText(text or tr("Click two points of the solid."))
         self._reading.setVisible(self.measuring)
 
     # ---- parts ---------------------------------------------------------------------------------------
@@ -144,12 +144,12 @@ class SolidPanel(QWidget):
         self._state = QLabel()
         self._state.setWordWrap(True)
         self._state.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
-        self._build = QPushButton("Build")
-        self._build.setToolTip("Build the solid of the design as it is now")
+        self._build = QPushButton(tr("Build"))
+        self._build.setToolTip(tr("Build the solid of the design as it is now"))
         self._build.clicked.connect(self.build_requested)
         self._progress = QProgressBar(maximum=1000)
         self._progress.setTextVisible(False)
-        self.automatic = QCheckBox("Rebuild when the design changes")
+        self.automatic = QCheckBox(tr("Rebuild when the design changes"))
         self.automatic.setToolTip(tr("Build the solids anew after every edit"))
         self.automatic.setChecked(True)
         self.automatic.toggled.connect(self.automatic_switched)
@@ -159,9 +159,9 @@ class SolidPanel(QWidget):
         made.addWidget(self._progress)
         made.addWidget(self.automatic)
         self.construction = QComboBox()
-        self.construction.setToolTip("Faces joined into one shell, or tooth spaces cut from the blank by Booleans")
+        self.construction.setToolTip(tr("Faces joined into one shell, or tooth spaces cut from the blank by Booleans"))
         for name, title in CONSTRUCTION_TITLES.items():
-            self.construction.addItem(title, name)
+            self.construction.addItem(tr(title), name)
         self.construction.currentIndexChanged.connect(
             lambda _index: self.construction_chosen.emit(self.construction.currentData())
         )
@@ -169,22 +169,24 @@ class SolidPanel(QWidget):
         return made
 
     def _make_looks(self) -> QVBoxLayout:
-        self._edges = QCheckBox("Edges")
+        self._edges = QCheckBox(tr("Edges"))
         self._edges.setToolTip(tr("Draw the edges of the faces"))
         self._edges.setChecked(True)
-        self._deviation = QCheckBox("Flanks coloured by deviation")
-        self._deviation.setToolTip("Signed normal deviation of the solid's flanks from theory")
-        made = _heading("Show")
+        self._deviation = QCheckBox(tr("Flanks coloured by deviation"))
+        self._deviation.setToolTip(tr("Signed normal deviation of the solid's flanks from theory"))
+        made = _heading(tr("Show"))
         for box in (self._edges, self._deviation):
             box.toggled.connect(self.looks_changed)
             made.addWidget(box)
         return made
 
     def _make_section(self) -> QVBoxLayout:
-        self._cut = QCheckBox("Section")
-        self._cut.setToolTip("Take away what lies beyond a plane and show the cut face")
+        self._cut = QCheckBox(tr("Section"))
+        self._cut.setToolTip(tr("Take away what lies beyond a plane and show the cut face"))
         self._cut.toggled.connect(self._on_switched)
-        self._axes = Segments([(a, a, f"Cut square to the {a} axis") for a in AXES], "Axis of the section")
+        self._axes = Segments(
+            [(a, a, tr("Cut square to the {axis} axis", axis=a)) for a in AXES], tr("Axis of the section")
+        )
         self._axes.set_choice(self._axis)
         self._axes.chosen.connect(self._on_axis)
         self._flip = QToolButton(checkable=True, autoRaise=True)
@@ -207,8 +209,8 @@ class SolidPanel(QWidget):
         return made
 
     def _make_measure(self) -> QVBoxLayout:
-        self._measure = QCheckBox("Measure")
-        self._measure.setToolTip("Click two points: their distance and what lies between")
+        self._measure = QCheckBox(tr("Measure"))
+        self._measure.setToolTip(tr("Click two points: their distance and what lies between"))
         self._measure.toggled.connect(self._on_measure)
         self._reading = QLabel()
         self._reading.setWordWrap(True)

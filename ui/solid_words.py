@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from ui.formatting import MEMBER_TITLES, METHOD_TITLES, VARIANT_TITLES, fixed, micrometres, seconds
+from ui.words import inline, told, tr
 
 if TYPE_CHECKING:
     from ui.measuring import Measure
@@ -21,39 +22,44 @@ def state(solids: Solids, keys: Sequence[Key]) -> tuple[str, str, float | None]:
     if at_work:
         key, progress = next((x for x in at_work if x[1].fraction > 0), at_work[0])
         done = sum(solids.is_current(k) for k in keys) + sum(p.fraction for _, p in at_work)
-        return f"{MEMBER_TITLES[key.member]}: {progress.stage}…", "accent", done / len(keys)
+        return f"{tr(MEMBER_TITLES[key.member])}: {told(progress.stage)}…", "accent", done / len(keys)
     failures = [failure for key in keys if (failure := solids.failure(key)) is not None]
     if failures:
-        return failures[0].message, "warning" if failures[0].cancelled else "error", None
+        return told(failures[0].message), "warning" if failures[0].cancelled else "error", None
     if all(solids.is_current(key) for key in keys):
-        return UP_TO_DATE, "ok", None
+        return tr(UP_TO_DATE), "ok", None
     if any(key in solids.built for key in keys):
-        return "Out of date: the design has changed", "warning", None
-    return "Not built yet", "muted", None
+        return tr("Out of date: the design has changed"), "warning", None
+    return tr("Not built yet"), "muted", None
 
 
 def titles(solids: Solids, keys: Sequence[Key]) -> tuple[str, str]:
     """Title and subtitle over the view."""
-    name = MEMBER_TITLES[keys[0].member] if len(keys) == 1 else "Pair"
-    title = f"{name} · {METHOD_TITLES[keys[0].method].lower()} · {VARIANT_TITLES[keys[0].variant].lower()}"
+    name = tr(MEMBER_TITLES[keys[0].member]) if len(keys) == 1 else tr("Pair")
+    title = f"{name} · {inline(METHOD_TITLES[keys[0].method])} · {inline(VARIANT_TITLES[keys[0].variant])}"
     text, _, _ = state(solids, keys)
-    if text != UP_TO_DATE:
+    if text != tr(UP_TO_DATE):
         return title, text
     built = [solids.built[key] for key in keys]
     faces = sum(b.result.face_count for b in built)
     took = seconds(sum(b.result.seconds for b in built))
-    return title, f"{faces} faces · flanks within {micrometres(max(b.largest_um for b in built))} · built in {took}"
+    return title, tr(
+        "{faces} faces · flanks within {largest} · built in {took}",
+        faces=faces,
+        largest=micrometres(max(b.largest_um for b in built)),
+        took=took,
+    )
 
 
 def measured(found: Measure) -> str:
     """A measurement as rich text for the panel."""
-    rows = [("Distance", f"<b>{fixed(found.distance, 4)} mm</b>")]
+    rows = [(tr("Distance"), f"<b>{fixed(found.distance, 4)} mm</b>")]
     rows += [(f"Δ{name}", f"{fixed(value, 4)} mm") for name, value in zip("xyz", found.across, strict=True)]
     for title, value, unit in (
-        ("Radial", found.radial, " mm"),
-        ("Axial", found.axial, " mm"),
-        ("Azimuth", found.azimuth, "°"),
-        ("Between normals", found.normals, "°"),
+        (tr("Radial"), found.radial, " mm"),
+        (tr("Axial"), found.axial, " mm"),
+        (tr("Azimuth"), found.azimuth, "°"),
+        (tr("Between normals"), found.normals, "°"),
     ):
         if value is not None:
             rows.append((title, f"{fixed(value, 4)}{unit}"))

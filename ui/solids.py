@@ -12,6 +12,7 @@ from PySide6.QtCore import QObject, Signal, Slot
 from ui.analysis.background import Newest
 from ui.debounce import Debounce
 from ui.session import Failure, Key, Session
+from ui.words import tr
 
 if TYPE_CHECKING:
     from gearstudio.design import Design
@@ -116,7 +117,7 @@ class Solids(QObject):
         if key in self._to_mesh:
             return Progress("meshing", 0.98)
         if key in self._awaited:
-            return self._progress.get(key, Progress("waiting for the CAD kernel", 0.0))
+            return self._progress.get(key, Progress(tr("waiting for the CAD kernel"), 0.0))
         return None
 
     @Slot()
@@ -219,7 +220,7 @@ class Solids(QObject):
         if key is None:
             return
         self._awaited.pop(key, None)
-        failure = Failure("Cancelled; Build builds it", "", cancelled=True)
+        failure = Failure(tr("Cancelled; Build builds it"), "", cancelled=True)
         self.failures[key] = (job.design, failure)  # type: ignore[attr-defined]
         self._tell()
 

@@ -12,7 +12,7 @@ from ui.formatting import micrometres
 from ui.progress import set_progress
 from ui.theme import tokens
 from ui.units import spaced, value_text, with_unit
-from ui.words import tr
+from ui.words import told, tr
 
 if TYPE_CHECKING:
     from ui.picking import Hover
@@ -111,7 +111,7 @@ def hover_text(hover: Hover) -> str:
     """The read-out of a point: flank, coordinates, cone distance, polar angle, deviation."""
     x, y, z = (value_text(value, "mm") for value in hover.xyz)
     rho, delta = with_unit(hover.rho, "mm"), with_unit(hover.delta_deg, "°")
-    parts = [tr(hover.flank), f"x {x}  y {y}  z {z}{spaced('mm')}", f"ρ {rho}", f"δ {delta}"]
+    parts = [told(hover.flank), f"x {x}  y {y}  z {z}{spaced('mm')}", f"ρ {rho}", f"δ {delta}"]
     if hover.deviation_um is not None:
         parts.append(tr("deviation {value}", value=micrometres(hover.deviation_um)))
     return "    ".join(parts)

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QFrame, QGridLayout, QStackedLayout, QVBoxLayout, 
 
 from ui.messages import MessageBar
 from ui.theme import tokens
+from ui.words import tr
 
 if TYPE_CHECKING:
     from ui.color_bar import ColorBar
@@ -23,7 +24,7 @@ class Placeholder(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._text = "Preparing 3D view…"
+        self._text = tr("Preparing 3D view…")
         self._angle = 0
         self._timer = QTimer(self, interval=40)
         self._timer.timeout.connect(self._turn)
@@ -69,7 +70,7 @@ class ViewArea(QWidget):
         super().__init__(parent)
         self.messages = MessageBar()
         self.placeholder = Placeholder()
-        self.placeholder.set_text("Preparing 3D view…", waiting=True)
+        self.placeholder.set_text(tr("Preparing 3D view…"), waiting=True)
         self.grid: ViewGrid | None = None
         self.color_bar: ColorBar | None = None
         self.roll_slider: RollSlider | None = None

@@ -10,7 +10,26 @@ CONTEXT = "GearStudio"
 def tr(text: str, /, **values: object) -> str:
     """A text in the chosen language, its ``{names}`` filled in.
 
-    The text is a literal in English; the translation files are made from these literals.
+    The text is a literal in English, or an entry of a table of such literals; `tools/translations.py` collects both
+    for the translation files.
     """
-    said = QCoreApplication.translate(CONTEXT, text)
+    said = QCoreApplication.translate(CONTEXT, text) if text else ""
     return said.format(**values) if values else said
+
+
+def noted(text: str, /) -> str:
+    """The text as it is: marks a literal that is translated where it is shown."""
+    return text
+
+
+def inline(text: str, /) -> str:
+    """A title within a sentence: in small letters in English, as it is in languages that write nouns with capitals."""
+    said = tr(text)
+    return said.lower() if said == text else said
+
+
+def told(message: object, /) -> str:
+    """A sentence of the core (an issue, an error, a stage) in the chosen language; an unknown one stays English."""
+    from ui.sentences import translated
+
+    return "\n".join(translated(line) for line in str(message).split("\n"))

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QStackedWidget, QTool
 
 from ui.method_bar import Segments
 from ui.theme import set_icon
+from ui.words import tr
 
 if TYPE_CHECKING:
     from ui.analysis.page import Page
@@ -46,7 +47,7 @@ class AnalysisArea(QWidget):
         self.tab = COMPARISON
         self.pages: dict[str, Page] = {}
         self._factories: Mapping[str, Callable[[], QWidget]] = {}
-        self.tabs = Segments(TABS, "Analysis")
+        self.tabs = Segments(TABS, tr("Analysis"))
         self.tabs.set_choice(COMPARISON)
         self.tabs.chosen.connect(self.show_tab)
         self.expand = _expand_button()
@@ -58,7 +59,7 @@ class AnalysisArea(QWidget):
         row.addStretch(1)
         row.addWidget(self.expand)
         self._stack = QStackedWidget()
-        self._waiting = QLabel("Preparing the analysis…", alignment=Qt.AlignmentFlag.AlignCenter)
+        self._waiting = QLabel(tr("Preparing the analysis…"), alignment=Qt.AlignmentFlag.AlignCenter)
         self._waiting.setProperty("role", "muted")
         self._card = QFrame()
         self._card.setProperty("role", "card")
@@ -132,6 +133,6 @@ def _expand_button() -> QToolButton:
     button.setAutoRaise(True)
     button.setIconSize(QSize(16, 16))
     set_icon(button, "expand")
-    button.setToolTip("Give the analysis the room of the 3D views")
-    button.setAccessibleName("Expand the analysis")
+    button.setToolTip(tr("Give the analysis the room of the 3D views"))
+    button.setAccessibleName(tr("Expand the analysis"))
     return button

@@ -18,6 +18,7 @@ from ui.charts.frame import ChartFrame
 from ui.charts.map_chart import MapChart
 from ui.method_bar import Segments
 from ui.session import Key, Session
+from ui.words import tr
 
 KINDS = (
     ("points", "Points", "Deviation along a series of points, as the paper's Fig. 12"),
@@ -48,25 +49,25 @@ class ChartsPage(QWidget):
         self.stack.addWidget(self.chart)
         self.stack.addWidget(self.map)
         self.frame = ChartFrame(self.stack)
-        self.kinds = Segments(KINDS, "Chart")
-        self.flanks = Segments([(f, f.capitalize(), f"The {f} flank") for f in FLANKS], "Flank")
+        self.kinds = Segments(KINDS, tr("Chart"))
+        self.flanks = Segments([(f, f.capitalize(), tr("The {flank} flank", flank=tr(f))) for f in FLANKS], tr("Flank"))
         self.paths = QComboBox()
         for identifier, title, tip in PATHS:
-            self.paths.addItem(title, identifier)
-            self.paths.setItemData(self.paths.count() - 1, tip, Qt.ItemDataRole.ToolTipRole)
-        self.paper = QCheckBox("Paper")
-        self.paper.setToolTip("The deviations that the paper states of its own gear, for comparison")
+            self.paths.addItem(tr(title), identifier)
+            self.paths.setItemData(self.paths.count() - 1, tr(tip), Qt.ItemDataRole.ToolTipRole)
+        self.paper = QCheckBox(tr("Paper"))
+        self.paper.setToolTip(tr("The deviations that the paper states of its own gear, for comparison"))
         self.paper.setChecked(True)
         self.scale = QComboBox()
-        for title, value in (("Auto", None), ("Log", True), ("Linear", False)):
+        for title, value in ((tr("Auto"), None), (tr("Log"), True), (tr("Linear"), False)):
             self.scale.addItem(title, value)
-        self.scale.setToolTip("Scale of the deviations: Auto is logarithmic where the curves differ by orders")
+        self.scale.setToolTip(tr("Scale of the deviations: Auto is logarithmic where the curves differ by orders"))
         self.quantities, self.against = QComboBox(), QComboBox()
         for identifier, title, unit in QUANTITIES:
-            self.quantities.addItem(title, identifier)
+            self.quantities.addItem(tr(title), identifier)
             self.quantities.setItemData(self.quantities.count() - 1, f"[{unit}]", Qt.ItemDataRole.ToolTipRole)
-        self.against.addItem("CAD surface", False)
-        self.against.addItem("Less theory", True)
+        self.against.addItem(tr("CAD surface"), False)
+        self.against.addItem(tr("Less theory"), True)
         curves, maps = (self.paths, self.scale, self.paper), (self.quantities, self.against)
         self._own = {"points": curves, "histogram": curves[1:], "curvature": maps}
         self._own = {kind: (self.flanks, *own) for kind, own in self._own.items()}
@@ -142,5 +143,9 @@ class ChartsPage(QWidget):
 
 def _hint(kind: str, choice: Choice) -> str:
     if kind == "histogram":
-        return f"{choice.member.capitalize()}, {choice.flank} flank: all points of the deviation map"
-    return f"{choice.member.capitalize()}: {next(tip for name, _, tip in PATHS if name == choice.path)}"
+        return tr(
+            "{member}, {flank} flank: all points of the deviation map",
+            member=tr(choice.member.capitalize()),
+            flank=tr(choice.flank),
+        )
+    return f"{tr(choice.member.capitalize())}: {tr(next(tip for name, _, tip in PATHS if name == choice.path))}"

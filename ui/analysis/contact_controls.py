@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QPushButton, QVBoxLayout
 from gearstudio.analysis.contact_placing import MARKING_THICKNESS_UM, Misalignment
 from ui.analysis.number_slider import NumberSlider
 from ui.method_bar import Segments
+from ui.words import tr
 
 MISALIGNMENTS = (
     ("offset", "E  offset", "Pinion axis beside the wheel's, positive as a positive hypoid offset", "mm"),
@@ -40,11 +41,11 @@ class ContactControls(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.sides = Segments(SIDES, "Side of the teeth")
+        self.sides = Segments(SIDES, tr("Side of the teeth"))
         self.sides.set_choice("drive")
         self.sides.chosen.connect(self.side_chosen)
-        reset = QPushButton("Reset")
-        reset.setToolTip("No misalignment, usual marking compound")
+        reset = QPushButton(tr("Reset"))
+        reset.setToolTip(tr("No misalignment, usual marking compound"))
         reset.clicked.connect(self.reset)
         top = QHBoxLayout()
         top.setSpacing(8)
@@ -56,11 +57,11 @@ class ContactControls(QWidget):
         grid.setVerticalSpacing(2)
         grid.setColumnStretch(1, 1)
         self.rows = {
-            name: NumberSlider(grid, row, label, tip, unit, 3)
+            name: NumberSlider(grid, row, tr(label), tr(tip), unit, 3)
             for row, (name, label, tip, unit) in enumerate(MISALIGNMENTS)
         }
-        tip = "Thickness of the marking compound: where the gap is less, it is wiped off"
-        self.thickness = NumberSlider(grid, len(MISALIGNMENTS), "Compound", tip, "µm", 2)
+        tip = tr("Thickness of the marking compound: where the gap is less, it is wiped off")
+        self.thickness = NumberSlider(grid, len(MISALIGNMENTS), tr("Compound"), tip, "µm", 2)
         self.thickness.set_range(0.5, THICKEST_UM, most=1000.0, least=0.01)
         self.thickness.set_value(MARKING_THICKNESS_UM)
         for row in (*self.rows.values(), self.thickness):

@@ -28,7 +28,7 @@ from ui.formatting import significant
 from ui.method_bar import Segments
 from ui.session import Session
 from ui.theme import tokens
-from ui.words import tr
+from ui.words import told, tr
 
 BANDS = 6
 
@@ -56,7 +56,7 @@ class ContactPage(QWidget):
             tr("Map"),
         )
         self.pattern_frame.add_control(self.shown)
-        self.error_frame = ChartFrame(self.error, "Transmission error")
+        self.error_frame = ChartFrame(self.error, tr("Transmission error"))
         self.facts, self.warning = QLabel(), QLabel()
         self.facts.setTextFormat(Qt.TextFormat.RichText)
         self.facts.setContentsMargins(12, 0, 8, 0)
@@ -157,7 +157,7 @@ class ContactPage(QWidget):
             self._view = None
             self._hint = ""
             self.facts.setText("")
-            self._warn(text, "error")
+            self._warn(told(text), "error")
             self.maps.show_data(MapData("contact-pattern"))
             self.pattern_frame.set_hint("")
             self.error.show_data(replace(self.error.data, series=(), references=(), note=tr("No contact")))
@@ -177,7 +177,7 @@ class ContactPage(QWidget):
         cells = [_fact(name, value) for name, value in known]
         rows = (f"<tr>{''.join(cells[start : start + 2])}</tr>" for start in range(0, len(cells), 2))
         self.facts.setText(f'<table cellspacing="0" cellpadding="1">{"".join(rows)}</table>')
-        self._warn("\n".join(issue.message for issue in _of_side(view)), "warning")
+        self._warn("\n".join(told(issue.message) for issue in _of_side(view)), "warning")
 
     def _warn(self, text: str, severity: str) -> None:
         self.warning.setText(text)
@@ -225,7 +225,7 @@ def _path(points: NDArray[np.float64]) -> tuple[Line, ...]:
 
 
 def _gap(value: float) -> str:
-    return f"gap {significant(value)} µm" if value < 0.5 * NO_MATE else "the mate has no flank here"
+    return tr("gap {value} µm", value=significant(value)) if value < 0.5 * NO_MATE else tr("the mate has no flank here")
 
 
 def _of_side(view: ContactView) -> list[Issue]:

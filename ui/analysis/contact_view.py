@@ -14,6 +14,7 @@ from gearstudio.theory.modified import flank_of
 from ui.charts.raster import drawn_flat, frame, inside, outline, raster
 from ui.charts.records import Axis, ChartData, Reference, Series, Table
 from ui.formatting import MEMBER_TITLES, significant
+from ui.words import tr
 
 Floats = NDArray[np.float64]
 RASTER = (72, 220)
@@ -50,7 +51,7 @@ def flank_edge(member: MemberGeometry, name: FlankName) -> Floats:
 
 def pattern_title(pattern: FlankPattern) -> str:
     """Member and flank."""
-    return f"{MEMBER_TITLES[pattern.member]}, {pattern.flank} flank"
+    return tr("{member}, {flank} flank", member=tr(MEMBER_TITLES[pattern.member]), flank=tr(pattern.flank))
 
 
 def _pattern(pair: PairGeometry, pattern: FlankPattern, path: Floats) -> PatternMap:
@@ -81,9 +82,9 @@ def error_chart(side: FlankContact) -> ChartData:
     pitch = float(np.degrees(side.roll.pitch))
     return ChartData(
         name=f"transmission-error-{side.direction}",
-        x=Axis("Turn of the pinion", "°"),
-        y=Axis("Transmission error", "arcsec"),
-        series=(Series("Transmission error", turn, error, side.direction, width=2.0),),
+        x=Axis(tr("Turn of the pinion"), "°"),
+        y=Axis(tr("Transmission error"), "arcsec"),
+        series=(Series(tr("Transmission error"), turn, error, side.direction, width=2.0),),
         references=tuple(Reference(step * pitch, "", "faint", upright=True) for step in (-1, 0, 1)),
         span_y=(middle - half, middle + half),
     )
@@ -104,8 +105,8 @@ def facts(result: ContactResult, direction: Direction) -> tuple[tuple[str, str],
     side = result.direction(direction)
     peak = side.peak_to_peak_arcsec
     return (
-        ("Peak to peak", f"{significant(peak)}″" if peak >= 1e-4 else "< 0.0001″"),
-        ("Contact ratio", f"{side.contact_ratio:.2f}"),
-        ("Pattern", f"{100 * side.pattern_share:.0f} %"),
-        ("Backlash", f"{significant(result.play_mm * 1e3) if abs(result.play_mm) > 1e-6 else 0} µm"),
+        (tr("Peak to peak"), f"{significant(peak)}″" if peak >= 1e-4 else "< 0.0001″"),
+        (tr("Contact ratio"), f"{side.contact_ratio:.2f}"),
+        (tr("Pattern"), f"{100 * side.pattern_share:.0f} %"),
+        (tr("Backlash"), f"{significant(result.play_mm * 1e3) if abs(result.play_mm) > 1e-6 else 0} µm"),
     )

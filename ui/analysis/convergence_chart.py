@@ -10,7 +10,7 @@ from gearstudio.analysis.convergence import COUNTED, ConvergenceStudy
 from gearstudio.catalogue import METHOD_IDS
 from ui.charts.records import Axis, ChartData, Entry, Reference, Series, Table, micrometre_tick, plain
 from ui.formatting import METHOD_TITLES, micrometres
-from ui.words import tr
+from ui.words import inline, tr
 
 EFFORTS = (
     ("count", "Count", "Positions, sections, or points along each side of the grid"),
@@ -37,7 +37,7 @@ def convergence_chart(
     deviation = size.endswith("_um")
     series = tuple(
         Series(
-            METHOD_TITLES[method],
+            tr(METHOD_TITLES[method]),
             np.array([float(getattr(point, effort)) for point in study.points]),
             np.maximum([getattr(point, size) for point in study.points], LEAST_UM if deviation else 1e-9),
             method,
@@ -50,7 +50,7 @@ def convergence_chart(
     return ChartData(
         name=f"convergence-{member}-{size}-{effort}",
         x=Axis(tr(titles[effort]), "", True, _writer(effort)),
-        y=Axis(tr("Deviation, {kind}", kind=tr(titles[size]).lower()) if deviation else tr(titles[size]), "", True,
+        y=Axis(tr("Deviation, {kind}", kind=inline(titles[size])) if deviation else tr(titles[size]), "", True,
                micrometre_tick if deviation else _writer(size)),
         series=series,
         references=(Reference(tolerance_um, words, "warning"),) if deviation and series else (),
@@ -63,8 +63,8 @@ def convergence_chart(
 
 def _legend(study: ConvergenceStudy, tolerance_um: float) -> str:
     """The method, and from which count on it keeps the tolerance."""
-    reached, title = study.reaching(tolerance_um), METHOD_TITLES[study.method]
-    return title if reached is None else f"{title}: {reached.count} {COUNTED[study.method]}"
+    reached, title = study.reaching(tolerance_um), tr(METHOD_TITLES[study.method])
+    return title if reached is None else f"{title}: {reached.count} {tr(COUNTED[study.method])}"
 
 
 def summary(studies: Mapping[str, ConvergenceStudy], tolerance_um: float) -> str:
@@ -73,8 +73,8 @@ def summary(studies: Mapping[str, ConvergenceStudy], tolerance_um: float) -> str
     for method in METHOD_IDS:
         if method in studies:
             reached = studies[method].reaching(tolerance_um)
-            words = "–" if reached is None else f"{reached.count} {COUNTED[method]}, {reached.poles} {tr('poles')}"
-            parts.append(f"{METHOD_TITLES[method]}: {words}")
+            words = "–" if reached is None else f"{reached.count} {tr(COUNTED[method])}, {reached.poles} {tr('poles')}"
+            parts.append(f"{tr(METHOD_TITLES[method])}: {words}")
     return tr("Within {value}: {efforts}", value=micrometres(tolerance_um), efforts="; ".join(parts)) if parts else ""
 
 

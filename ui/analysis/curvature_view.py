@@ -20,6 +20,7 @@ from ui.charts.records import Table
 from ui.charts.scales import diverging, sequential
 from ui.formatting import METHOD_TITLES, MINUS
 from ui.session import Key
+from ui.words import told, tr
 
 if TYPE_CHECKING:
     from gearstudio.results import VariantResult
@@ -59,14 +60,14 @@ def curvature_maps(
     found = {key.method: _curvature(results[key], flank, wanted) for key in keys if key in results}
     good = {method: one for method, one in found.items() if isinstance(one, CurvatureMap)}
     name = f"curvature-{member.name}-{wanted.flank}-{wanted.quantity}{'-difference' * wanted.difference}"
-    refused = "; ".join(f"{METHOD_TITLES[m]}: {one}" for m, one in found.items() if isinstance(one, str))
+    refused = "; ".join(f"{tr(METHOD_TITLES[m])}: {one}" for m, one in found.items() if isinstance(one, str))
     if not good:
-        return MapData(name), refused or "The methods are being built…"
+        return MapData(name), refused or tr("The methods are being built…")
     values = {method: np.asarray(getattr(one, wanted.quantity)) for method, one in good.items()}
     low, high = np.percentile(np.concatenate([value.ravel() for value in values.values()]), TYPICAL)
     limit = max(abs(low), abs(high))
     unit = UNITS[wanted.quantity]
-    maps = tuple(_drawn(member, METHOD_TITLES[m], good[m].points, values[m], unit) for m in good)
+    maps = tuple(_drawn(member, tr(METHOD_TITLES[m]), good[m].points, values[m], unit) for m in good)
     data = MapData(
         name,
         maps,
@@ -87,8 +88,10 @@ def power_of_ten(value: float) -> str:
 
 
 def _title(wanted: Wanted) -> str:
-    title = next(title for name, title, _ in QUANTITIES if name == wanted.quantity)
-    return f"{title} curvature{' less theory' * wanted.difference} [{UNITS[wanted.quantity]}]"
+    title, unit = tr(next(title for name, title, _ in QUANTITIES if name == wanted.quantity)), UNITS[wanted.quantity]
+    if wanted.difference:
+        return tr("{title} curvature less theory [{unit}]", title=title, unit=unit)
+    return tr("{title} curvature [{unit}]", title=title, unit=unit)
 
 
 def _curvature(result: VariantResult, flank: InvoluteFlank, wanted: Wanted) -> CurvatureMap | str:
@@ -99,7 +102,7 @@ def _curvature(result: VariantResult, flank: InvoluteFlank, wanted: Wanted) -> C
     try:
         return (curvature_difference if wanted.difference else surface_curvature)(surface, flank, u, v)
     except GeometryError as error:
-        return str(error)
+        return told(error)
 
 
 def _drawn(member: MemberGeometry, title: str, points: Floats, values: Floats, unit: str) -> FlankMap:

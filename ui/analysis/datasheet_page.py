@@ -27,7 +27,7 @@ from ui.charts.buttons import menu_button
 from ui.charts.frame import documents
 from ui.method_bar import Segments
 from ui.session import Session
-from ui.words import tr
+from ui.words import told, tr
 
 VIEWS = (
     ("sheet", "Both members", "Every value of the pair; a row explains itself"),
@@ -54,7 +54,7 @@ class DatasheetPage(QWidget):
         self._name = "design"
         self.table, self.explanation = SheetTable(), Explanation()
         self.published: PublishedTable | None = None
-        self.views = Segments(VIEWS, "Data sheet or published values")
+        self.views = Segments(VIEWS, tr("Data sheet or published values"))
         self.views.set_choice("sheet")
         self.views.chosen.connect(self.show_view)
         self.trouble = QLabel()
@@ -73,7 +73,7 @@ class DatasheetPage(QWidget):
         head.setContentsMargins(8, 4, 6, 4)
         head.addWidget(self.views)
         head.addStretch(1)
-        choices = [(name, tr("As {format}", format=title)) for name, title, _ in FORMATS]
+        choices = [(name, tr("As {format}", format=tr(title))) for name, title, _ in FORMATS]
         head.addWidget(menu_button("copy", tr("Copy the sheet"), choices, self.copy))
         head.addWidget(menu_button("save", tr("Save the sheet"), choices, self.ask_and_save))
         layout = QVBoxLayout(self)
@@ -93,7 +93,9 @@ class DatasheetPage(QWidget):
         try:
             self._sheet = data_sheet(session.design)
         except GeometryError as error:
-            trouble = f"These are the values of an earlier design; of this one there are none: {error}"
+            trouble = tr(
+                "These are the values of an earlier design; of this one there are none: {error}", error=told(error)
+            )
         else:
             self.table.show_sheet(self._sheet)
         self.trouble.setText(trouble)
@@ -125,13 +127,13 @@ class DatasheetPage(QWidget):
     def copy(self, format_: str) -> None:
         """Put the sheet on the clipboard."""
         QGuiApplication.clipboard().setText(self.text(format_))
-        self.said.emit("info", f"Copied the data sheet as {TITLES[format_]}")
+        self.said.emit("info", tr("Copied the data sheet as {format}", format=tr(TITLES[format_])))
 
     def ask_and_save(self, format_: str) -> None:
         """Ask for a name and save."""
         suffix = next(suffix for name, _, suffix in FORMATS if name == format_)
         start = f"{documents()}/{self._name} data sheet{suffix}"
-        name, _ = QFileDialog.getSaveFileName(self, "Save data sheet", start, f"*{suffix}")
+        name, _ = QFileDialog.getSaveFileName(self, tr("Save data sheet"), start, f"*{suffix}")
         if name:
             self.save(Path(name), format_)
 
@@ -140,6 +142,6 @@ class DatasheetPage(QWidget):
         try:
             write_text(path, self.text(format_))
         except FileError as error:
-            self.said.emit("error", f"The data sheet was not saved: {error}")
+            self.said.emit("error", tr("The data sheet was not saved: {error}", error=told(error)))
         else:
-            self.said.emit("info", f"Saved the data sheet as {path}")
+            self.said.emit("info", tr("Saved the data sheet as {path}", path=path))

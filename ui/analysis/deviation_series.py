@@ -23,6 +23,7 @@ from ui.charts.records import (
 )
 from ui.formatting import METHOD_TITLES, VARIANT_TITLES
 from ui.session import Key
+from ui.words import inline, tr
 
 if TYPE_CHECKING:
     from gearstudio.results import VariantResult
@@ -76,7 +77,7 @@ def deviation_chart(results: Mapping[Key, VariantResult], choice: Choice) -> Cha
     logarithmic = choice.log if choice.log is not None else orders_apart([y for _, y in curves.values()])
     series = tuple(
         Series(
-            f"{METHOD_TITLES[key.method]}, {key.variant}",
+            f"{tr(METHOD_TITLES[key.method])}, {tr(key.variant)}",
             x,
             np.maximum(y, LEAST_UM) if logarithmic else y,
             key.method,
@@ -85,7 +86,9 @@ def deviation_chart(results: Mapping[Key, VariantResult], choice: Choice) -> Cha
         )
         for key, (x, y) in curves.items()
     )
-    title = {"grid": "Point", "face": "Place along the face", "profile": "Place along the profile"}[choice.path]
+    title = {"grid": tr("Point"), "face": tr("Place along the face"), "profile": tr("Place along the profile")}[
+        choice.path
+    ]
     ends = {"face": ("toe", "heel"), "profile": ("root", "tip")}.get(choice.path)
     ticks = None if ends is None else [(0, ends[0]), (0.25, "¼"), (0.5, "½"), (0.75, "¾"), (1, ends[1])]
     return ChartData(
@@ -96,7 +99,7 @@ def deviation_chart(results: Mapping[Key, VariantResult], choice: Choice) -> Cha
         references=_paper_lines() if choice.paper and series else (),
         bands=(Band(*PAPER_RANGE_UM, _paper_words()),) if choice.paper and series else (),
         legend=_legend(found),
-        note="" if series else "The methods are being built…",
+        note="" if series else tr("The methods are being built…"),
         ticks=ticks,
         span_y=_room(logarithmic, choice.paper) if series else None,
     )
@@ -112,7 +115,7 @@ def histogram_chart(results: Mapping[Key, VariantResult], choice: Choice) -> Cha
     edges = _edges(list(maps.values()), logarithmic)
     series = tuple(
         Series(
-            f"{METHOD_TITLES[key.method]}, {key.variant}",
+            f"{tr(METHOD_TITLES[key.method])}, {tr(key.variant)}",
             edges,
             np.histogram(values, edges)[0] * (100.0 / values.size),
             key.method,
@@ -124,12 +127,12 @@ def histogram_chart(results: Mapping[Key, VariantResult], choice: Choice) -> Cha
     )
     return ChartData(
         name=f"histogram-{choice.member}-{choice.flank}",
-        x=Axis("Deviation, absolute", "", True, micrometre_tick) if logarithmic else Axis("Deviation", "µm"),
-        y=Axis("Share of the points", "%"),
+        x=Axis(tr("Deviation, absolute"), "", True, micrometre_tick) if logarithmic else Axis(tr("Deviation"), "µm"),
+        y=Axis(tr("Share of the points"), "%"),
         series=series,
         references=_paper_lines(upright=True) if choice.paper and series else (),
         legend=_legend(found),
-        note="" if series else "The methods are being built…",
+        note="" if series else tr("The methods are being built…"),
     )
 
 
@@ -139,7 +142,7 @@ def _found(results: Mapping[Key, VariantResult], choice: Choice) -> dict[Key, Va
 
 
 def _deviation_axis(logarithmic: bool) -> Axis:
-    title = "Deviation, absolute"
+    title = tr("Deviation, absolute")
     return Axis(title, "", True, micrometre_tick) if logarithmic else Axis(title, "µm")
 
 
@@ -162,7 +165,7 @@ def _edges(maps: list[Floats], logarithmic: bool) -> Floats:
 def _paper_lines(upright: bool = False) -> tuple[Reference, ...]:
     lowest = min(PAPER_MEANS_UM.values())
     return tuple(
-        Reference(value, f"mean {plain(value)} µm", method, upright, value == lowest)
+        Reference(value, tr("mean {value} µm", value=plain(value)), method, upright, value == lowest)
         for method, value in PAPER_MEANS_UM.items()
     )
 
@@ -170,13 +173,13 @@ def _paper_lines(upright: bool = False) -> tuple[Reference, ...]:
 def _paper_words() -> str:
     low, high = map(plain, PAPER_RANGE_UM)
     means = " / ".join(map(plain, PAPER_MEANS_UM.values()))
-    return f"the paper's own gear: {low} … {high} µm, means {means} µm"
+    return tr("the paper's own gear: {low} … {high} µm, means {means} µm", low=low, high=high, means=means)
 
 
 def _legend(found: Mapping[Key, VariantResult]) -> tuple[Entry, ...]:
     methods = dict.fromkeys(key.method for key in found)
     variants = [variant for variant in VARIANTS if any(key.variant == variant for key in found)]
     return (
-        *(Entry(METHOD_TITLES[method], method) for method in methods),
-        *(Entry(VARIANT_TITLES[variant].lower(), "muted", STROKES[variant]) for variant in variants),
+        *(Entry(tr(METHOD_TITLES[method]), method) for method in methods),
+        *(Entry(inline(VARIANT_TITLES[variant]), "muted", STROKES[variant]) for variant in variants),
     )

@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QFrame, QLabel, QScrollArea, QWidget
 from ui.analysis.sheet_table import lowered
 from ui.formatting import MEMBER_TITLES, MINUS
 from ui.theme import tokens
+from ui.words import tr
 
 if TYPE_CHECKING:
     from gearstudio.analysis.datasheet import Quantity
@@ -33,7 +34,7 @@ class Explanation(QScrollArea):
         self.setFrameShape(QFrame.Shape.NoFrame)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setWidget(self._text)
-        self.setAccessibleName("How the value came about")
+        self.setAccessibleName(tr("How the value came about"))
 
     def text(self) -> str:
         """What is shown, as rich text."""
@@ -54,12 +55,12 @@ def explanation(line: tuple[Quantity, ...]) -> str:
     """A line of the sheet as rich text."""
     first, muted = line[0], tokens().muted
     parts = [
-        f'<p style="margin:0 0 4px 0"><b>{escape(first.name)}</b></p>',
+        f'<p style="margin:0 0 4px 0"><b>{escape(tr(first.name))}</b></p>',
         f'<p style="margin:4px 0; font-size:large">{lowered(first.formula)}</p>',
         f'<p style="margin:0 0 8px 0; color:{muted}">{where(first.equation)}</p>',
     ]
     for quantity in line:
-        head = "" if quantity.owner == "pair" else f"{MEMBER_TITLES[quantity.owner]}: "
+        head = "" if quantity.owner == "pair" else f"{tr(MEMBER_TITLES[quantity.owner])}: "
         result = f"<i>{lowered(quantity.symbol)}</i> = {_number(quantity.text, quantity.unit)}"
         parts.append(f'<p style="margin:8px 0 2px 0"><b>{head}{result}</b></p>')
         parts.append(f'<table cellspacing="0" cellpadding="1">{_rows(quantity)}</table>')
@@ -70,9 +71,10 @@ def where(equation: str) -> str:
     """``2 [7]`` in words: the section of the theory and the paper's equation."""
     match = re.fullmatch(r"(\S+)(?:\s*\[(.+)\])?", equation)
     if match is None:
-        return f"Theory {escape(equation)}"
+        return tr("Theory {equation}", equation=escape(equation))
     section, printed = match.groups()
-    return f"Theory, section {section}" + (f"; equation {printed} of the paper" if printed else "")
+    words = tr("Theory, section {section}", section=section)
+    return words + tr("; equation {printed} of the paper", printed=printed) if printed else words
 
 
 def _rows(quantity: Quantity) -> str:

@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from gearstudio.analysis.measurement import MeasuredPoints, MeasurementResult, measure
+from gearstudio.design import Design
 from gearstudio.exchange.measured import read_measured
 from gearstudio.theory.cones import MemberGeometry, PairGeometry
 
@@ -49,6 +50,7 @@ class Measurement:
 
 
 def measured(
+    design: Design,
     pair: PairGeometry,
     member: str,
     source: Source,
@@ -73,6 +75,7 @@ def measured(
         turn=fit[0],
         shift=fit[1],
         start_shift=source.shift,
+        design=design,
         report=lambda stage, part: report(stage, begun + (1 - begun) * part),
     )
     return Measurement(source, pair.member(member), result, tuple(np.unique(result.tooth).tolist()))

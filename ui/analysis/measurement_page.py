@@ -24,7 +24,7 @@ from ui.charts.maps import MapData
 from ui.formatting import micrometres
 from ui.method_bar import Segments
 from ui.session import Session
-from ui.words import tr
+from ui.words import told, tr
 
 NOMINAL_GRID = (9, 5)
 
@@ -115,7 +115,7 @@ class MeasurementPage(QWidget):
         try:
             write_text(path, nominal_grid_text(self._pair.member(self.panel.member), *NOMINAL_GRID))
         except FileError as error:
-            self.said.emit("error", tr("The nominal grid was not saved: {reason}", reason=error))
+            self.said.emit("error", tr("The nominal grid was not saved: {reason}", reason=told(error)))
         else:
             self.said.emit(
                 "info", tr("Saved the nominal grid of the {member} as {path}", member=self.panel.member, path=path)

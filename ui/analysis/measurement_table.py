@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from ui.analysis.sheet_table import LEFT, RIGHT, add_heading, cell, quiet_table
+from ui.words import tr
 
 if TYPE_CHECKING:
     from ui.analysis.measurement_data import Measurement
@@ -19,7 +20,7 @@ class MeasurementTable(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.table = quiet_table(HEADS, (86, 86), "Errors and statistics of the measured points")
+        self.table = quiet_table(HEADS, (86, 86), tr("Errors and statistics of the measured points"))
         for column in (1, 2):
             self.table.horizontalHeaderItem(column).setTextAlignment(RIGHT)
         layout = QVBoxLayout(self)
@@ -39,12 +40,12 @@ class MeasurementTable(QWidget):
         errors, statistics = error_rows(measurement), statistics_rows(measurement)
         self.table.clearSpans()
         self.table.setRowCount(len(errors) + len(statistics) + 2)
-        add_heading(self.table, 0, "Errors [µm]")
+        add_heading(self.table, 0, tr("Errors [µm]"))
         for row, texts in enumerate(errors, start=1):
             for column, text in enumerate(texts):
                 self.table.setItem(row, column, cell(text, RIGHT if column else LEFT))
         start = len(errors) + 1
-        add_heading(self.table, start, "All points")
+        add_heading(self.table, start, tr("All points"))
         for row, (name, value) in enumerate(statistics, start=start + 1):
             for column, text in enumerate((name, value, "")):
                 self.table.setItem(row, column, cell(text, RIGHT if column else LEFT))

@@ -17,6 +17,7 @@ from ui.charts.maps import FlankMap, Line, MapData
 from ui.charts.raster import drawn_flat, frame, outline
 from ui.charts.records import Axis, ChartData, Entry, Series, Table
 from ui.formatting import fixed, micrometres
+from ui.words import tr
 
 Floats = NDArray[np.float64]
 SHEAR, TILT, LONGEST_BAR = 0.24, 0.36, 0.2
@@ -58,7 +59,7 @@ def _bars(member: MemberGeometry, name: FlankName, feet: Floats, error: Floats, 
         Line(strokes[error >= 0].reshape(-1, 2), "added", 2.6, pairs=True),
         Line(strokes[error < 0].reshape(-1, 2), "missing", 2.6, pairs=True),
     )
-    title = f"{name.capitalize()} flank" + ("" if np.any(np.isfinite(error)) else ": not measured")
+    title = tr(f"{name.capitalize()} flank") + ("" if np.any(np.isfinite(error)) else tr(": not measured"))
     return FlankMap(title, np.full((2, 2), np.nan), frame(edge), edge, lines, reach=longest)
 
 
@@ -83,20 +84,21 @@ def pitch_chart(measurement: Measurement) -> ChartData:
     """Single and cumulative pitch errors of the teeth measured."""
     pitches = measurement.result.pitch
     series = [
-        Series(f"{name.capitalize()}, cumulative", 1.0 + p.tooth, p.cumulative_um, name, symbols=True)
+        Series(tr("{name}, cumulative", name=tr(name.capitalize())), 1.0 + p.tooth, p.cumulative_um, name, symbols=True)
         for name, p in pitches.items()
     ]
     series += [
-        Series(f"{name.capitalize()}, single", 1.0 + p.tooth, p.single_um, name, "dash") for name, p in pitches.items()
+        Series(tr("{name}, single", name=tr(name.capitalize())), 1.0 + p.tooth, p.single_um, name, "dash")
+        for name, p in pitches.items()
     ]
     few = all(len(p.tooth) < 2 for p in pitches.values())
     return ChartData(
         name=f"pitch-errors-{measurement.member.name}",
-        x=Axis("Tooth"),
-        y=Axis("Pitch error", "µm"),
+        x=Axis(tr("Tooth")),
+        y=Axis(tr("Pitch error"), "µm"),
         series=() if few else tuple(series),
         legend=(*(Entry(s.name, s.color, s.stroke) for s in series),) if not few else (),
-        note="One tooth was measured: there is no pitch to compare" if few else "",
+        note=tr("One tooth was measured: there is no pitch to compare") if few else "",
         span_y=(-0.5, 0.5),
     )
 
@@ -113,13 +115,16 @@ def statistics_rows(measurement: Measurement) -> list[tuple[str, str]]:
     result = measurement.result
     found = result.statistics
     return [
-        ("Points", f"{len(result.points)}" + (f" (+ {result.beside} beside)" if result.beside else "")),
-        ("Teeth", f"{len(measurement.teeth)} of {measurement.member.teeth}"),
-        ("Turned by", f"{fixed(float(np.degrees(result.pose.turn)), 6)}°"),
-        ("Shifted by", f"{fixed(result.pose.shift * 1e3, 3)} µm"),
-        ("Max", micrometres(found.max_um)),
-        ("Mean", micrometres(found.mean_um)),
-        ("Rms", micrometres(found.rms_um)),
+        (
+            tr("Points"),
+            f"{len(result.points)}" + (tr(" (+ {count} beside)", count=result.beside) if result.beside else ""),
+        ),
+        (tr("Teeth"), tr("{count} of {all}", count=len(measurement.teeth), all=measurement.member.teeth)),
+        (tr("Turned by"), f"{fixed(float(np.degrees(result.pose.turn)), 6)}°"),
+        (tr("Shifted by"), f"{fixed(result.pose.shift * 1e3, 3)} µm"),
+        (tr("Max"), micrometres(found.max_um)),
+        (tr("Mean"), micrometres(found.mean_um)),
+        (tr("Rms"), micrometres(found.rms_um)),
     ]
 
 
@@ -132,11 +137,11 @@ def error_rows(measurement: Measurement) -> list[tuple[str, ...]]:
 
     form, pitch = result.form, result.pitch
     return [
-        row("Spiral angle", lambda f: form[f].spiral_um),
-        row("Pressure angle", lambda f: form[f].pressure_um),
-        row("Lengthwise crown", lambda f: form[f].lengthwise_crown_um),
-        row("Profile crown", lambda f: form[f].profile_crown_um),
-        row("Bias", lambda f: form[f].bias_um),
-        row("Pitch, single", lambda f: pitch[f].largest_single_um),
-        row("Pitch, total", lambda f: pitch[f].total_um),
+        row(tr("Spiral angle"), lambda f: form[f].spiral_um),
+        row(tr("Pressure angle"), lambda f: form[f].pressure_um),
+        row(tr("Lengthwise crown"), lambda f: form[f].lengthwise_crown_um),
+        row(tr("Profile crown"), lambda f: form[f].profile_crown_um),
+        row(tr("Bias"), lambda f: form[f].bias_um),
+        row(tr("Pitch, single"), lambda f: pitch[f].largest_single_um),
+        row(tr("Pitch, total"), lambda f: pitch[f].total_um),
     ]

@@ -139,7 +139,7 @@ class MeasurementWork(QObject):
             self._reported.emit(begun + (1 - begun) * part)
 
         def work() -> tuple[Measurement, Drawn]:
-            found = measured(against.pair, against.member, source, asked.fit, report)
+            found = measured(against.design, against.pair, against.member, source, asked.fit, report)
             return found, drawn(found, asked.tooth)
 
         self.background.request((against, source.path), work)

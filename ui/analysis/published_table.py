@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QLabel, QTableWidgetItem, QVBoxLayout, QWidget
 from gearstudio.analysis.selfcheck import Check, self_check
 from ui.analysis.sheet_table import LEFT, RIGHT, add_heading, cell, quiet_table
 from ui.theme import tokens
+from ui.words import tr
 
 HEADS = ("Quantity", "Published", "Computed", "Unit", "")
 
@@ -18,7 +19,7 @@ class PublishedTable(QWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.checks = self_check()
-        self.table = quiet_table(HEADS, (100, 100, 50, 130), "Published values and those computed")
+        self.table = quiet_table(HEADS, (100, 100, 50, 130), tr("Published values and those computed"))
         for column in (1, 2):
             self.table.horizontalHeaderItem(column).setTextAlignment(RIGHT)
         self.summary = QLabel(summary(self.checks))
@@ -39,9 +40,9 @@ class PublishedTable(QWidget):
         for check in self.checks:
             if check.source != source:
                 source = check.source
-                add_heading(table, row, source)
+                add_heading(table, row, tr(source))
                 row += 1
-            texts = (check.name, check.published, check.computed or "–", check.unit)
+            texts = (_named(check.name), check.published, check.computed or "–", tr(check.unit))
             for column, text in enumerate(texts):
                 table.setItem(row, column, cell(text, RIGHT if column in (1, 2) else LEFT))
             table.setItem(row, 4, _verdict(check))
@@ -53,17 +54,22 @@ class PublishedTable(QWidget):
         return "\n".join("\t".join(row) for row in [("source", *HEADS[:4], "verdict"), *rows]) + "\n"
 
 
+def _named(name: str) -> str:
+    """``pinion: pitch angle`` in the window's language."""
+    return ": ".join(map(tr, name.split(": ")))
+
+
 def verdict(check: Check) -> str:
     """Pass, fail, or that there is nothing to compare."""
-    return {True: "✓ pass", False: "✗ fail", None: "not computable"}[check.passed]
+    return {True: tr("✓ pass"), False: tr("✗ fail"), None: tr("not computable")}[check.passed]
 
 
 def summary(checks: tuple[Check, ...]) -> str:
     """How many agree, in a line."""
     passed = sum(check.passed is True for check in checks)
     failed = sum(check.passed is False for check in checks)
-    told = f"{passed} of {passed + failed} published values agree to the last printed digit"
-    return f"{told}; {failed} do not." if failed else f"{told}."
+    words = tr("{passed} of {all} published values agree to the last printed digit", passed=passed, all=passed + failed)
+    return tr("{words}; {failed} do not.", words=words, failed=failed) if failed else f"{words}."
 
 
 def _verdict(check: Check) -> QTableWidgetItem:
@@ -71,5 +77,5 @@ def _verdict(check: Check) -> QTableWidgetItem:
     colors = tokens()
     item.setForeground(QColor({True: colors.ok, False: colors.error, None: colors.faint}[check.passed]))
     if check.passed is None:
-        item.setToolTip("The publication does not print the data from which it could be computed")
+        item.setToolTip(tr("The publication does not print the data from which it could be computed"))
     return item

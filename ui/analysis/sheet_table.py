@@ -23,6 +23,7 @@ from PySide6.QtWidgets import (
 
 from ui.formatting import MINUS
 from ui.units import unit_shown, value_text
+from ui.words import tr
 
 if TYPE_CHECKING:
     from gearstudio.analysis.datasheet import DataSheet, Quantity
@@ -66,7 +67,7 @@ class IndexDelegate(QStyledItemDelegate):
 def quiet_table(heads: tuple[str, ...], widths: tuple[int, ...], name: str) -> QTableWidget:
     """A read-only table; the first column takes what room is left by the others."""
     table = QTableWidget(0, len(heads))
-    table.setHorizontalHeaderLabels(list(heads))
+    table.setHorizontalHeaderLabels([tr(head) for head in heads])
     table.verticalHeader().hide()
     table.verticalHeader().setDefaultSectionSize(24)
     table.setShowGrid(False)
@@ -120,7 +121,7 @@ class SheetTable(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.table = quiet_table(HEADS, (74, 92, 92, 44), "Geometry data sheet")
+        self.table = quiet_table(HEADS, (74, 92, 92, 44), tr("Geometry data sheet"))
         for column in (2, 3):
             self.table.horizontalHeaderItem(column).setTextAlignment(RIGHT)
         for column in (1, 4):
@@ -167,12 +168,12 @@ class SheetTable(QWidget):
             first = line[0]
             if first.group != group:
                 group = first.group
-                add_heading(self.table, row, group)
+                add_heading(self.table, row, tr(group))
                 row += 1
-            texts = (first.name, first.symbol, "", "", first.unit)
+            texts = (tr(first.name), first.symbol, "", "", first.unit)
             for column, text in enumerate(texts):
                 self.table.setItem(row, column, cell(text, RIGHT if column in (2, 3) else LEFT))
-            self.table.item(row, 0).setToolTip(first.name)
+            self.table.item(row, 0).setToolTip(tr(first.name))
             if len(line) == 1:
                 self.table.setSpan(row, 2, 1, 2)
                 self.table.item(row, 2).setTextAlignment(Qt.AlignmentFlag.AlignCenter)

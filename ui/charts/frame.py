@@ -13,7 +13,7 @@ from gearstudio.errors import FileError
 from ui.charts.buttons import tool_button
 from ui.charts.export import FILTERS, Paint, clipboard_data, save
 from ui.charts.records import Table
-from ui.words import tr
+from ui.words import told, tr
 
 
 def documents() -> str:
@@ -79,11 +79,11 @@ class ChartFrame(QWidget):
         """Put picture and numbers on the clipboard."""
         chart = self.chart
         QGuiApplication.clipboard().setMimeData(clipboard_data(chart.size(), chart.paint, chart.table.text("\t")))
-        self.said.emit("info", "Copied the chart: picture and numbers")
+        self.said.emit("info", tr("Copied the chart: picture and numbers"))
 
     def ask_and_save(self) -> None:
         """Ask for a name and save."""
-        name, _ = QFileDialog.getSaveFileName(self, "Save chart", f"{documents()}/{self.chart.name}.png", FILTERS)
+        name, _ = QFileDialog.getSaveFileName(self, tr("Save chart"), f"{documents()}/{self.chart.name}.png", FILTERS)
         if name:
             self.save(Path(name))
 
@@ -93,6 +93,6 @@ class ChartFrame(QWidget):
         try:
             written = save(path, chart.size(), chart.paint, chart.table.text(), chart.name)
         except FileError as error:
-            self.said.emit("error", f"The chart was not saved: {error}")
+            self.said.emit("error", tr("The chart was not saved: {error}", error=told(error)))
         else:
-            self.said.emit("info", f"Saved the chart as {written}")
+            self.said.emit("info", tr("Saved the chart as {written}", written=written))

@@ -26,7 +26,7 @@ from gearstudio.presets import PRESETS
 from ui.analysis.background import Newest
 from ui.projects.differences import Line, as_text, differences
 from ui.session import Session
-from ui.words import tr
+from ui.words import told, tr
 
 RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
@@ -47,7 +47,7 @@ class CompareDialog(QDialog):
         self.other.setToolTip(tr("The design to compare with"))
         self.other.setAccessibleName(tr("Other design"))
         for preset in PRESETS:
-            self.other.addItem(preset.title, preset.design)
+            self.other.addItem(tr(preset.title), preset.design)
         for path in recent:
             if path.is_file() and path != session.path:
                 self.other.addItem(path.name, path)
@@ -121,7 +121,7 @@ class CompareDialog(QDialog):
     def _on_failed(self, _label: object, text: str, _details: str) -> None:
         self.lines = ()
         self._fill()
-        self.words.setText(tr("The designs cannot be compared: {reason}", reason=text.partition("\n")[0]))
+        self.words.setText(tr("The designs cannot be compared: {reason}", reason=told(text.partition("\n")[0])))
 
     def _shown(self) -> tuple[Line, ...]:
         return tuple(line for line in self.lines if line.differs or not self.only.isChecked())

@@ -18,7 +18,7 @@ from ui.projects.recovery_dialog import RecoveryDialog
 from ui.projects.versions import Version, short_date
 from ui.projects.windows import open_window
 from ui.session import Session
-from ui.words import tr
+from ui.words import told, tr
 
 if TYPE_CHECKING:
     from ui.edits import Edits
@@ -114,7 +114,7 @@ class Desk(QObject):
             self.backups.keep(path)
         except FileError as error:
             log.warning("no backup: %s", error)
-            self._say("warning", tr("Saved, but no backup could be kept: {reason}", reason=error.reason))
+            self._say("warning", tr("Saved, but no backup could be kept: {reason}", reason=told(error.reason)))
 
     def _on_recovered_chosen(self, one: Abandoned, version: Version) -> None:
         if version.draft is None or not self._files.reopen(one.snapshot.path):
@@ -143,7 +143,7 @@ class Desk(QObject):
         self._edits.change_many(version.draft, tr("Go back to the save of {date}", date=short_date(version.when)))
 
     def _on_autosave_failed(self, text: str) -> None:
-        self._say("warning", tr("Unsaved edits cannot be kept for recovery: {reason}", reason=text))
+        self._say("warning", tr("Unsaved edits cannot be kept for recovery: {reason}", reason=told(text)))
 
     def _say(self, severity: str, text: str) -> None:
         self._window.messages.show_message(severity, text, topic="file")

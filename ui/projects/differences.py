@@ -55,7 +55,7 @@ def _fields(first: Design, second: Design) -> Iterator[Line]:
             continue
         one, other = field_value(first, path), field_value(second, path)
         group = tr("Parameters: {group}", group=path.rpartition(".")[0].replace(".", " "))
-        yield Line(group, spec.title, spec.unit, _text(one), _text(other), _difference(one, other))
+        yield Line(group, tr(spec.title), spec.unit, _text(one), _text(other), _difference(one, other))
 
 
 def _quantities(first: Any, second: Any) -> Iterator[Line]:
@@ -68,8 +68,8 @@ def _quantities(first: Any, second: Any) -> Iterator[Line]:
         same = one.text == other.text
         difference = "" if same else _difference(one.value, other.value)
         owner = owners[one.owner]
-        group = owner if one.group == owner else f"{owner}: {one.group}"
-        yield Line(group, one.name, one.unit, one.text, other.text, difference)
+        group = owner if tr(one.group) == owner else f"{owner}: {tr(one.group)}"
+        yield Line(group, tr(one.name), one.unit, one.text, other.text, difference)
 
 
 def _text(value: object) -> str:
@@ -77,7 +77,7 @@ def _text(value: object) -> str:
         return tr("derived")
     if isinstance(value, float):
         return f"{value:.10g}".replace("-", MINUS)
-    return choice_title(value) if isinstance(value, str) else str(value)
+    return tr(choice_title(value)) if isinstance(value, str) else str(value)
 
 
 def _difference(one: object, other: object) -> str:

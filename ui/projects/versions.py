@@ -14,7 +14,7 @@ from gearstudio.design import Design
 from gearstudio.errors import DesignError, FileError, GeometryError
 from ui.projects.snapshot import Snapshot
 from ui.session import flatten, nest
-from ui.words import tr
+from ui.words import told, tr
 
 
 @dataclass(frozen=True)
@@ -60,9 +60,9 @@ def saved_version(path: Path | None) -> Version:
     try:
         return judged(when, flatten(load_design(path)))
     except DesignError as error:
-        return Version(when, None, tuple(map(str, error.issues)))
+        return Version(when, None, tuple(map(told, error.issues)))
     except FileError as error:
-        return Version(when, None, (error.reason,))
+        return Version(when, None, (told(error.reason),))
 
 
 def recovered_version(snapshot: Snapshot) -> Version:
@@ -78,12 +78,12 @@ def judged(when: datetime, draft: Mapping[str, Any]) -> Version:
     from gearstudio.validation import read_design
 
     design, issues = read_design(nest(draft))
-    problems = tuple(str(issue) for issue in issues if issue.severity == "error")
+    problems = tuple(told(issue) for issue in issues if issue.severity == "error")
     if design is not None and not problems:
         try:
             pair_geometry(design)
         except GeometryError as error:
-            problems = (str(error),)
+            problems = (told(error),)
     return Version(when, draft, problems)
 
 
@@ -99,7 +99,7 @@ def field_title(field: str) -> str:
 
     spec = all_field_specs().get(field)
     group = field.rpartition(".")[0].replace(".", " ")
-    title = spec.title if spec else field
+    title = tr(spec.title) if spec else field
     return f"{title} ({group})" if group else title
 
 

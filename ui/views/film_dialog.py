@@ -25,7 +25,7 @@ from ui.views.film import Film
 from ui.views.motions import Motion
 from ui.views.pictures import PictureOptions, Steps, painted, stand_in
 from ui.views.quiet import QuietChoice, QuietSlider
-from ui.words import tr
+from ui.words import told, tr
 
 if TYPE_CHECKING:
     from ui.camera import Camera
@@ -110,7 +110,7 @@ class FilmDialog(QDialog):
         try:
             self._film = Film(path, (width, height), self.rate.currentData())
         except FileError as error:
-            self._fail(str(error))
+            self._fail(told(error))
             return
         self._path = path
         beside = bar.sizeHint().width() if bar.isVisible() else 0
@@ -137,14 +137,14 @@ class FilmDialog(QDialog):
             self._steps = None
             self._take(end.value)
         except RuntimeError as error:
-            self._fail(str(error))
+            self._fail(told(error))
 
     def _take(self, frame: QImage) -> None:
         assert self._film is not None
         try:
             self._film.add(frame)
         except FileError as error:
-            self._fail(str(error))
+            self._fail(told(error))
             return
         self._frame += 1
         self._bar.setValue(self._frame)

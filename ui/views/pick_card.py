@@ -15,7 +15,7 @@ from ui.formatting import METHOD_TITLES, VARIANT_TITLES, fixed
 from ui.session import Key
 from ui.theme import set_icon
 from ui.views.quantities import CURVATURES, Quantity
-from ui.words import tr
+from ui.words import inline, tr
 
 if TYPE_CHECKING:
     from gearstudio.analysis.probe import Curvature
@@ -96,7 +96,7 @@ class PickCard(QFrame):
         made = [heading]
         for key in sorted(values.found, key=_order):
             one = values.found[key]
-            name = f"{METHOD_TITLES[key.method]}, {VARIANT_TITLES[key.variant].lower()}"
+            name = f"{tr(METHOD_TITLES[key.method])}, {inline(VARIANT_TITLES[key.variant])}"
             deviation = "–" if one is None else colormap.deviation_text(one.deviation_um, unit=self._unit)
             made.append([name, deviation, *_numbers(None if one is None else one.curvature, scales)])
         return [*made, [tr("Theory"), "0", *_numbers(values.theory, scales)]]

@@ -9,6 +9,7 @@ from PySide6.QtCore import QObject, Signal
 
 from gearstudio.errors import GeometryError
 from ui.analysis.background import Newest
+from ui.words import told
 
 if TYPE_CHECKING:
     from gearstudio.results import VariantResult
@@ -67,5 +68,5 @@ def _computed(results: Sequence[VariantResult], member: MemberGeometry) -> list[
         try:
             found.append(variant_quality(result, member))
         except GeometryError as error:
-            found.append(str(error))
+            found.append(told(error))
     return found
