@@ -79,6 +79,13 @@ DEFAULTS = {
         }.items()
     },
     "depth.system": "outer_module",
+    "depth.taper": "standard",
+    "depth.depth_factor": 2.0,
+    "depth.clearance_factor": 0.125,
+    "depth.mean_addendum_factor": None,
+    "depth.thickness_factor": 0.0,
+    "depth.addendum_angle_deg": None,
+    "depth.dedendum_angle_deg": None,
     "methods.tolerance_um": 0.05,
     "methods.point_cloud_degree": 3,
 }

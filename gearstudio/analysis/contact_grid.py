@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from gearstudio.analysis.contact_placing import FlankMesh, Meeting
 from gearstudio.errors import GeometryError
-from gearstudio.theory.flank import InvoluteFlank
+from gearstudio.theory.flank import Flank
 
 Floats = NDArray[np.float64]
 
@@ -30,14 +30,14 @@ class PinionGrid:
     Attributes
     ----------
     mesh : FlankMesh
-    flank : InvoluteFlank
+    flank : Flank
         Of the pinion.
     u : ndarray, shape (n_u, n_v)
     v : ndarray, shape (n_v,)
     """
 
     mesh: FlankMesh
-    flank: InvoluteFlank
+    flank: Flank
     u: Floats
     v: Floats
 

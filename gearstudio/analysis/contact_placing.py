@@ -8,9 +8,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from gearstudio.theory.cones import MemberGeometry, PairGeometry
-from gearstudio.theory.flank import FlankName, InvoluteFlank
-from gearstudio.theory.involute import involute_azimuth, roll_arc
-from gearstudio.theory.modified import flank_of, relief_on
+from gearstudio.theory.flank import Flank, FlankName, InvoluteFlank
+from gearstudio.theory.involute import involute_azimuth, polar_angle, roll_arc
+from gearstudio.theory.modified import flank_member, flank_of, relief_on, swept_on
 
 Floats = NDArray[np.float64]
 
@@ -82,14 +82,20 @@ class FlankMesh:
     misalignment: Misalignment = Misalignment()
 
     @property
-    def pinion_flank(self) -> InvoluteFlank:
+    def wheel(self) -> MemberGeometry:
+        """The wheel as this flank of it has it."""
+        return flank_member(self.pair.wheel, self.side)
+
+    @property
+    def pinion_flank(self) -> Flank:
         """The flank of the pinion; raises GeometryError as `involute_flank`."""
         return flank_of(self.pair.pinion, _name(self.pair.pinion, self.side))
 
     @property
     def wheel_flank(self) -> InvoluteFlank:
         """The flank of the wheel; raises GeometryError as `involute_flank`."""
-        return flank_of(self.pair.wheel, _name(self.pair.wheel, self.side))
+        flank_of(self.pair.wheel, _name(self.pair.wheel, self.side))
+        return swept_on(self.pair.wheel, self.side)
 
     @property
     def play(self) -> float:
@@ -120,7 +126,7 @@ class FlankMesh:
         psi = atan2(q, z) and beta = psi / sin(delta_b) - atan2(q, z sin(delta_b)); the second is taken together
         with the azimuth of the point. Metal taken off the wheel adds its thickness over the lever to the lag.
         """
-        wheel, side = self.pair.wheel, self.side
+        wheel, side = self.wheel, self.side
         x, y, z = self._world(points, turn)
         square = x * x + y * y
         height = z * z
@@ -142,7 +148,7 @@ class FlankMesh:
 
     def margins(self, met: Meeting) -> tuple[Floats, Floats, Floats, Floats]:
         """Distances of points from the wheel flank's tip, lower edge, toe and heel, positive inside [mm]."""
-        wheel = self.pair.wheel
+        wheel = self.wheel
         tip, root, base = wheel.tip_limit, wheel.root_limit, wheel.base_limit
 
         def below(angle: float, offset: float) -> Floats:
@@ -171,7 +177,7 @@ class FlankMesh:
     def lever(self, rho: ArrayLike) -> Floats:
         """Normal gap per angle of the wheel [mm/rad]: 1 / sqrt(1/(rho sin delta_b)^2 + theta'^2) (theory 5)."""
         rho = np.asarray(rho, dtype=np.float64)
-        wheel = self.pair.wheel
+        wheel = self.wheel
         slope = wheel.lengthwise.azimuth_slope(rho)
         return np.asarray(1 / np.sqrt(1 / (rho * np.sin(wheel.base_angle)) ** 2 + slope**2))
 
@@ -183,7 +189,7 @@ class FlankMesh:
         pinion = self.pair.pinion
         pitch_beta = float(involute_azimuth(pinion.pitch_angle, pinion.base_angle))
         action = self.side * (pitch_beta - pinion.gamma / np.sin(pinion.base_angle))
-        return np.asarray(action - self.pinion_flank.contact_azimuth(psi, rho))
+        return np.asarray(action - swept_on(pinion, self.side).contact_azimuth(psi, rho))
 
     def start_of_contact(self, v: ArrayLike) -> Floats:
         """u in [0, 1] on the pinion that the wheel's tip reaches: psi_1 = gamma_1 + gamma_2 - psi_2, shape (...)."""
@@ -197,9 +203,15 @@ class FlankMesh:
             u = np.clip((start - low) / (high - low), 0.0, 1.0)
         return u
 
+    def reach(self, v: ArrayLike) -> tuple[Floats, Floats]:
+        """Polar angles on the pinion from which the wheel's tip reaches, and of its tip [rad], shape (...) each."""
+        base, flank = self.pair.pinion.base_angle, self.pinion_flank
+        first, last = (polar_angle(flank.coordinates(u, v)[0], base) for u in (self.start_of_contact(v), 1.0))
+        return first, last
+
     def on_wheel(self, met: Meeting) -> Floats:
         """Points of the wheel flank, of the tooth at azimuth 0, that pinion points face, shape (..., 3)."""
-        flank, wheel = self.wheel_flank, self.pair.wheel
+        flank, wheel = self.wheel_flank, self.wheel
         return flank.points_at(met.rho, np.clip(met.polar_angle, wheel.base_angle, np.pi - wheel.base_angle))
 
     def _world(self, points: Floats, turn: ArrayLike) -> tuple[Floats, Floats, Floats]:
@@ -221,6 +233,10 @@ class FlankMesh:
 def flank_mesh(pair: PairGeometry, pinion_flank: FlankName, misalignment: Misalignment | None = None) -> FlankMesh:
     """The mesh of the pinion's concave flank (drive) or convex flank (coast)."""
     side = pair.pinion.hand if pinion_flank == "concave" else -pair.pinion.hand
+    if pair.has_offset:
+        from gearstudio.analysis.contact_hypoid import HypoidMesh
+
+        return HypoidMesh(pair, side, misalignment or Misalignment())
     return FlankMesh(pair, side, misalignment or Misalignment())
 
 

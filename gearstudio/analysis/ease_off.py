@@ -10,7 +10,6 @@ from numpy.typing import NDArray
 from gearstudio.analysis.contact_grid import PinionGrid
 from gearstudio.analysis.contact_placing import FlankMesh, Meeting
 from gearstudio.analysis.contact_roll import Roll
-from gearstudio.theory.involute import polar_angle, roll_arc
 
 Floats = NDArray[np.float64]
 
@@ -109,10 +108,9 @@ def pattern_table(mesh: FlankMesh, roll: Roll, shape: tuple[int, int]) -> tuple[
         While the pair rolls with all teeth in mesh [µm].
     """
     pinion, flank = mesh.pair.pinion, mesh.pinion_flank
-    v = np.linspace(0.0, 1.0, shape[0])
-    first, last = (polar_angle(flank.coordinates(u, v)[0], pinion.base_angle) for u in (mesh.start_of_contact(v), 1.0))
+    first, last = mesh.reach(np.linspace(0.0, 1.0, shape[0]))
     delta = np.linspace(first.max(), last.min(), shape[1])
     rho = np.linspace(pinion.inner_cone_distance, pinion.outer_cone_distance, shape[0])
-    psi, distance = np.broadcast_arrays(roll_arc(delta, pinion.base_angle), rho[:, None])
+    psi, distance = flank.natural_at(*np.broadcast_arrays(rho[:, None], delta))
     eased = ease_off_at(mesh, flank.at(psi, distance), mesh.contact_turn(psi, distance))
     return rho, delta, eased.gap_um(mesh, roll)

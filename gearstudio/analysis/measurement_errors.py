@@ -18,7 +18,7 @@ from gearstudio.analysis.measurement_fit import (
     turned_back,
 )
 from gearstudio.theory.cones import MemberGeometry
-from gearstudio.theory.flank import FLANKS, FlankName, InvoluteFlank
+from gearstudio.theory.flank import FLANKS, Flank, FlankName
 from gearstudio.theory.modified import flank_of
 
 Floats = NDArray[np.float64]
@@ -81,12 +81,12 @@ class FormErrors:
     spiral_deg: float
 
 
-def pitch_errors(flank: InvoluteFlank, points: Floats, error: Floats, assigned: Assignment) -> PitchErrors:
+def pitch_errors(flank: Flank, points: Floats, error: Floats, assigned: Assignment) -> PitchErrors:
     """Pitch errors of one flank.
 
     Parameters
     ----------
-    flank : InvoluteFlank
+    flank : Flank
     points : ndarray, shape (n, 3)
         In the gear's frame, all of them.
     error : ndarray, shape (n,)

@@ -11,7 +11,6 @@ from numpy.typing import NDArray
 from gearstudio.analysis.measurement_fit import places
 from gearstudio.errors import GeometryError
 from gearstudio.theory.cones import MemberGeometry, PairGeometry
-from gearstudio.theory.involute import roll_arc
 from gearstudio.theory.modified import flank_on
 
 Floats = NDArray[np.float64]
@@ -123,8 +122,9 @@ def _cosines(member: MemberGeometry, side: int, face: Sampled, shift: float) -> 
     found = np.zeros(len(points))
     if np.any(near):
         rho, delta, phi = flank.locate(points[near])
-        above = np.clip(delta, member.base_angle, np.pi - member.base_angle)
-        normals = flank.normals_at(roll_arc(above, member.base_angle), rho)
+        base = flank.member.base_angle
+        above = np.clip(delta, base, np.pi - base)
+        normals = flank.normals_at(*flank.natural_at(rho, above))
         turn = phi - flank.azimuth(rho, above)
         c, s = np.cos(turn), np.sin(turn)
         turned = np.stack(

@@ -9,14 +9,13 @@ from numpy.typing import NDArray
 
 from gearstudio.analysis.curvature import (
     CurvatureMap,
-    flank_coordinates,
     surface_curvature,
     surface_derivatives,
     theory_curvature_at,
 )
 from gearstudio.errors import GeometryError
 from gearstudio.nurbs import NurbsSurface
-from gearstudio.theory.flank import InvoluteFlank
+from gearstudio.theory.flank import Flank
 
 Floats = NDArray[np.float64]
 _START_GRID = (17, 33)
@@ -46,7 +45,7 @@ class Probe:
     curvature: Curvature | None
 
 
-def probe(surface: NurbsSurface, flank: InvoluteFlank, rho: float, delta: float) -> Probe | None:
+def probe(surface: NurbsSurface, flank: Flank, rho: float, delta: float) -> Probe | None:
     """The point of a surface with a given cone distance [mm] and polar angle [rad]; None where it does not reach.
 
     Newton's method for (ρ, δ)(u, v), started from the nearest of a coarse grid.
@@ -70,17 +69,15 @@ def probe(surface: NurbsSurface, flank: InvoluteFlank, rho: float, delta: float)
     return Probe(u, v, point, float(flank.deviation(point)) * 1e3, _curvature_of(surface, flank, u, v))
 
 
-def theory_at(flank: InvoluteFlank, rho: float, delta: float) -> Curvature | None:
+def theory_at(flank: Flank, rho: float, delta: float) -> Curvature | None:
     """Curvature of the theoretical flank at a place; None on the base cone, where it is infinite."""
-    sine, cosine = np.sin(delta), np.cos(delta)
-    psi, _ = flank_coordinates(flank, np.array([rho * sine, 0.0, rho * cosine]))
     try:
-        return _single(theory_curvature_at(flank, psi, rho))
+        return _single(theory_curvature_at(flank, *flank.natural_at(rho, delta)))
     except GeometryError:
         return None
 
 
-def _start(surface: NurbsSurface, flank: InvoluteFlank, rho: float, delta: float) -> tuple[float, float]:
+def _start(surface: NurbsSurface, flank: Flank, rho: float, delta: float) -> tuple[float, float]:
     u0, u1, v0, v1 = surface.bounds
     u, v = np.linspace(u0, u1, _START_GRID[0]), np.linspace(v0, v1, _START_GRID[1])
     points = surface.grid(u, v)
@@ -102,7 +99,7 @@ def _change(point: Floats, along: Floats) -> Floats:
     return np.array([point @ along / rho, (point[2] * outward - radius * along[2]) / rho])
 
 
-def _curvature_of(surface: NurbsSurface, flank: InvoluteFlank, u: float, v: float) -> Curvature | None:
+def _curvature_of(surface: NurbsSurface, flank: Flank, u: float, v: float) -> Curvature | None:
     try:
         return _single(surface_curvature(surface, flank, [u], [v]))
     except GeometryError:

@@ -10,8 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gearstudio.theory.cloud import Spacing, flank_coordinates
-from gearstudio.theory.flank import InvoluteFlank
-from gearstudio.theory.involute import roll_arc
+from gearstudio.theory.flank import Flank
 
 Floats = NDArray[np.float64]
 PointFormat = Literal["dat", "ibl", "csv"]
@@ -39,10 +38,10 @@ class PointCloud:
     polar_angle: Floats
 
 
-def point_cloud(flank: InvoluteFlank, rows: int, cols: int, spacing: Spacing) -> PointCloud:
+def point_cloud(flank: Flank, rows: int, cols: int, spacing: Spacing) -> PointCloud:
     """The points of `theory.cloud.flank_grid` with their normals; raises GeometryError as it does."""
     rho, delta = flank_coordinates(flank, rows, cols, spacing)
-    normals = flank.normals_at(roll_arc(delta, flank.member.base_angle), rho)
+    normals = flank.normals_at(*flank.natural_at(rho, delta))
     return PointCloud(flank.points_at(rho, delta), normals, rho, delta)
 
 

@@ -15,6 +15,7 @@ from gearstudio.methods.base import SAFETY, Construction, Refinement, Target, be
 from gearstudio.nurbs import NurbsSurface
 from gearstudio.results import ConstructionCurve
 from gearstudio.theory.flank import Flank, InvoluteFlank
+from gearstudio.theory.hypoid.conjugate import ConjugateFlank
 from gearstudio.theory.involute import generating_line, tangent_plane
 
 Floats = NDArray[np.float64]
@@ -22,6 +23,8 @@ Floats = NDArray[np.float64]
 PUBLISHED_POSITIONS = 5
 WITHOUT_MODIFICATIONS = {"modifications": "left out"}
 """Setting of a result whose flank has micro-geometry that the line cannot sweep."""
+BEST_LINE = {"line": "best fit"}
+"""Setting of a result whose flank, conjugate to a wheel on an offset axis, no rigid line sweeps at all."""
 _CURVE_DEGREE = 5
 _PUBLISHED_POINTS = 15
 _PUBLISHED_CUT = (21, 21)
@@ -76,8 +79,9 @@ class RotatingLine:
     The cut is a reparametrisation: every point of the result lies on the rolled patch, its four natural
     edges are the limits of the flank, and no part of the patch beyond the cuspidal edge remains.
 
-    A rigid line sweeps no flank with micro-geometry. The nearest that it does sweep is modelled, the flank without
-    it; ``settings`` say so, and the deviation shows by how much the flank that is wanted is missed.
+    A rigid line sweeps no flank with micro-geometry, nor the pinion's of a pair with offset axes. The nearest that it
+    does sweep is modelled: the flank without micro-geometry; for that pinion the best fit of base cone and line.
+    ``settings`` say so, and the deviation shows by how much the flank that is wanted is missed.
     """
 
     info: MethodInfo = catalogue.ROTATING_LINE
@@ -131,7 +135,8 @@ def _said(flank: Flank, built: Construction) -> Construction:
     """With a word in its settings where another flank was modelled than the one wanted."""
     if flank.swept is flank:
         return built
-    return replace(built, settings={**built.settings, **WITHOUT_MODIFICATIONS}, instead=flank.swept)
+    word = BEST_LINE if isinstance(flank, ConjugateFlank) else WITHOUT_MODIFICATIONS
+    return replace(built, settings={**built.settings, **word}, instead=flank.swept)
 
 
 def _roll(

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from gearstudio.errors import GeometryError
-from gearstudio.theory.flank import InvoluteFlank
+from gearstudio.theory.flank import Flank
 
 Floats = NDArray[np.float64]
 Spacing = Literal["uniform", "arc", "cosine"]
@@ -22,12 +22,12 @@ def graded(count: int, spacing: Spacing = "uniform") -> Floats:
     return np.asarray((1 - np.cos(np.pi * even)) / 2) if spacing == "cosine" else even
 
 
-def flank_grid(flank: InvoluteFlank, rows: int, cols: int, spacing: Spacing = "uniform") -> Floats:
+def flank_grid(flank: Flank, rows: int, cols: int, spacing: Spacing = "uniform") -> Floats:
     """Theoretical point cloud of a flank.
 
     Parameters
     ----------
-    flank : InvoluteFlank
+    flank : Flank
     rows : int
         U lines: cone distances from toe (R - B) to heel (R).
     cols : int
@@ -43,9 +43,7 @@ def flank_grid(flank: InvoluteFlank, rows: int, cols: int, spacing: Spacing = "u
     return flank.points_at(rho, delta)
 
 
-def flank_coordinates(
-    flank: InvoluteFlank, rows: int, cols: int, spacing: Spacing = "uniform"
-) -> tuple[Floats, Floats]:
+def flank_coordinates(flank: Flank, rows: int, cols: int, spacing: Spacing = "uniform") -> tuple[Floats, Floats]:
     """Cone distances [mm] and polar angles [rad] of `flank_grid`, each of shape (rows, cols).
 
     Raises
@@ -61,7 +59,7 @@ def flank_coordinates(
 
     def at(place_rho: ArrayLike, place_delta: ArrayLike) -> tuple[Floats, Floats]:
         rho = member.inner_cone_distance + np.asarray(place_rho, dtype=np.float64) * member.face_width
-        low = np.maximum(member.root_limit.at_sphere(rho), member.base_angle)
+        low = flank.lower_angle(rho)
         high = member.tip_limit.at_sphere(rho)
         rho, delta = np.broadcast_arrays(rho, low + np.asarray(place_delta) * (high - low))
         return np.asarray(rho), np.asarray(delta)

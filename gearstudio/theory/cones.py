@@ -159,7 +159,8 @@ class PairGeometry:
     """Both members of a pair and what they share.
 
     ``hypoid`` is the same pair as the standard has it, for pairs with an offset or a depth after ISO 23509; the mean
-    spiral angle is then the wheel's.
+    spiral angle is then the wheel's. ``own_cone_pinion`` asks for a reference where there is an offset: the pinion's
+    flanks as involutes on base cones of their own instead of conjugate ones.
     """
 
     pinion: MemberGeometry
@@ -169,6 +170,7 @@ class PairGeometry:
     mean_spiral_angle: float
     mean_normal_module: float
     hypoid: HypoidPair | None = None
+    own_cone_pinion: bool = False
 
     @property
     def has_offset(self) -> bool:

@@ -270,6 +270,10 @@ class InvoluteFlank:
         spiral = (np.sin(polar_angle) * rho * m.lengthwise.azimuth_slope(rho)) ** 2
         return np.asarray(rho * np.sin(polar_angle) / np.sqrt(profile + spiral))
 
+    def lower_angle(self, rho: ArrayLike) -> Floats:
+        """Polar angle of root or base cone, whichever is higher, at cone distances [rad]."""
+        return np.maximum(self.member.root_limit.at_sphere(rho), self.member.base_angle)
+
     def azimuth(self, rho: ArrayLike, polar_angle: ArrayLike) -> Floats:
         """phi(rho, delta_k) of theory 5 [rad]."""
         return np.asarray(

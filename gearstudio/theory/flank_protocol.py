@@ -74,6 +74,14 @@ class Flank(Protocol):
         """Polar angles of the lower and upper edge [rad]."""
         ...
 
+    def points_at(self, rho: ArrayLike, polar_angle: ArrayLike) -> Floats:
+        """Points at cone distance [mm] and polar angle [rad], shape (..., 3); raises GeometryError beyond the flank."""
+        ...
+
+    def lower_angle(self, rho: ArrayLike) -> Floats:
+        """Polar angle of the lower edge at cone distances [rad]."""
+        ...
+
     def locate(self, points: ArrayLike) -> tuple[Floats, Floats, Floats]:
         """Spherical coordinates rho, delta_k, phi of points."""
         ...

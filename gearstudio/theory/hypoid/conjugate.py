@@ -21,6 +21,7 @@ from gearstudio.theory.hypoid.vectors import dot, quarter
 Floats = NDArray[np.float64]
 
 _FOOT_POINT_STEPS = 8
+_EDGE_STEPS = 8
 _FOOT_POINT_ACCURACY = 1e-12
 _STEP = 2e-3
 _BEYOND, _BELOW = 0.25, 0.05
@@ -108,6 +109,25 @@ class ConjugateFlank:
     def evenly_divided(self, n_u: int, n_v: int) -> Floats:
         """Points of the working flank at evenly spaced polar angles and places along the face, (n_u, n_v, 3)."""
         return self.points(np.linspace(0.0, 1.0, n_u)[:, None], np.linspace(0.0, 1.0, n_v))
+
+    def points_at(self, rho: ArrayLike, polar_angle: ArrayLike) -> Floats:
+        """Points at distance rho from the pitch apex [mm] and polar angle [rad], shape (..., 3).
+
+        Raises
+        ------
+        GeometryError
+            The flank has no such point.
+        """
+        rho, delta = np.broadcast_arrays(np.asarray(rho, dtype=np.float64), np.asarray(polar_angle, dtype=np.float64))
+        return self.at(*self.generating(rho, delta))
+
+    def lower_angle(self, rho: ArrayLike) -> Floats:
+        """Polar angle of the lower edge at distances from the pitch apex [rad]."""
+        rho, m = np.asarray(rho, dtype=np.float64), self.member
+        delta = np.full_like(rho, m.pitch_angle)
+        for _ in range(_EDGE_STEPS):
+            delta = self._start((m.end_distance(rho, delta) - m.inner_cone_distance) / m.face_width)
+        return delta
 
     def trace(self, v: ArrayLike) -> Floats:
         """Points where the flank meets the pinion's pitch cone, shape (..., 3)."""
