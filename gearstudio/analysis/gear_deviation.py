@@ -11,8 +11,7 @@ from numpy.typing import NDArray
 
 from gearstudio.theory.chamfer import EndChamfer
 from gearstudio.theory.cones import MemberGeometry
-from gearstudio.theory.modified import flank_on
-from gearstudio.theory.profile import ToothProfile
+from gearstudio.theory.section import Profile
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -29,14 +28,14 @@ class GearTheory:
     Attributes
     ----------
     member : MemberGeometry
-    profile : ToothProfile
+    profile : Profile
     outline : ndarray, shape (n, 2), or None
         (radius, height) of the turned body [mm]; None for a tooth alone.
     chamfers : tuple of EndChamfer
     """
 
     member: MemberGeometry
-    profile: ToothProfile
+    profile: Profile
     outline: Floats | None = None
     chamfers: tuple[EndChamfer, ...] = ()
 
@@ -109,12 +108,12 @@ class GearTheory:
 
     @cached_property
     def _faces(self) -> dict[str, Distance]:
-        member, faces = self.member, dict[str, Distance]()
+        faces = dict[str, Distance]()
         for side in (-1, 1):
-            flank = flank_on(member, side)
+            flank = self.profile.flank(side)
             faces[flank.name] = flank.deviation
             faces[f"{flank.name} fillet"] = partial(self._from_fillet, side)
-            if "meridian" in self.profile.segments:
+            if "meridian" in self.profile.below(side):
                 faces[f"{flank.name} meridian"] = flank.deviation
         faces |= {"tip": self._from_tip, "root": self._from_root, "end": self._from_end}
         if self.outline is not None:
@@ -127,30 +126,23 @@ class GearTheory:
         if side not in ("concave", "convex"):
             return np.ones(points.shape[:-1], dtype=bool)
         rho, delta, phi = _spherical(points)
-        member, foot = self.member, self.profile.fillet.foot_angle
+        member = self.member
+        sign = member.hand if side == "concave" else -member.hand
+        foot, base = self.profile.foot_angle(sign, self._place(rho, delta)), self.profile.flank(sign).member.base_angle
+        has_meridian = "meridian" in self.profile.below(sign)
         low, high = {
-            "fillet": (0.0, foot),
-            "meridian": (foot, member.base_angle),
-            "": (max(foot, member.base_angle) if self._has_meridian else foot, np.pi),
+            "fillet": (np.zeros_like(foot), foot),
+            "meridian": (foot, np.full_like(foot, base)),
+            "": (np.maximum(foot, base) if has_meridian else foot, np.full_like(foot, np.pi)),
         }[word]
         slack = _INSIDE * (member.tip_angle - member.root_angle)
-        sign = member.hand if side == "concave" else -member.hand
-        beside = sign * _wrapped(phi - self.member.lengthwise.azimuth(rho))
+        beside = sign * _wrapped(phi - member.lengthwise.azimuth(rho))
         return np.asarray((delta >= low - slack) & (delta <= high + slack) & (beside > 0))
-
-    @property
-    def _has_meridian(self) -> bool:
-        return "meridian" in self.profile.segments
 
     def _from_fillet(self, side: int, points: Floats) -> Floats:
         """From the circle of theory 6 on the unit sphere, times rho."""
         rho, delta, phi = _spherical(points)
-        fillet = self.profile.fillet
-        turned = self.member.lengthwise.azimuth(rho) + self.profile.shift(side, rho, delta)
-        azimuth = side * _wrapped(phi - turned)
-        haversine = np.sin((delta - fillet.centre_angle) / 2) ** 2
-        haversine += np.sin(delta) * np.sin(fillet.centre_angle) * np.sin((azimuth - fillet.centre_azimuth) / 2) ** 2
-        return np.asarray((fillet.radius - 2 * np.arcsin(np.sqrt(np.clip(haversine, 0.0, 1.0)))) * rho)
+        return self.profile.off_fillet(side, rho, delta, phi - self.member.lengthwise.azimuth(rho))
 
     def _from_tip(self, points: Floats) -> Floats:
         rho, delta, _ = _spherical(points)
@@ -158,7 +150,7 @@ class GearTheory:
 
     def _from_root(self, points: Floats) -> Floats:
         rho, delta, _ = _spherical(points)
-        return np.asarray((delta - self.member.root_angle) * rho)
+        return np.asarray((delta - self.member.limit_angle(self.member.root_limit, self._place(rho, delta))) * rho)
 
     def _from_end(self, points: Floats) -> Floats:
         """From the back or front end, whichever is nearer."""

@@ -12,7 +12,8 @@ from scipy.optimize import brentq
 from gearstudio.theory.chamfer import EndChamfer, end_point
 from gearstudio.theory.cones import MemberGeometry
 from gearstudio.theory.involute import polar_angle, roll_arc
-from gearstudio.theory.profile import Segment, ToothProfile, tooth_profile
+from gearstudio.theory.profile import ToothProfile, tooth_profile
+from gearstudio.theory.section import Segment
 
 Floats = NDArray[np.float64]
 

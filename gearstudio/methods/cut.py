@@ -15,13 +15,13 @@ from gearstudio.kernel.turned import turned_solid
 from gearstudio.methods.base import SAFETY, Target
 from gearstudio.methods.grafts import Angles, blended, edge_of, profile_space, reversed_across
 from gearstudio.methods.space import fitted, space_v
-from gearstudio.methods.tooth import Tooth, graft, profile_flank
+from gearstudio.methods.tooth import Tooth, graft
 from gearstudio.methods.trimming import trimmed
 from gearstudio.nurbs import NurbsSurface
 from gearstudio.theory.blank import BlankOutline
 from gearstudio.theory.chamfer import end_point
 from gearstudio.theory.cones import ConeLimit, MemberGeometry
-from gearstudio.theory.profile import ToothProfile, tooth_profile
+from gearstudio.theory.section import Profile
 
 Floats = NDArray[np.float64]
 
@@ -109,30 +109,34 @@ def blank_polygon(member: MemberGeometry, outline: BlankOutline) -> tuple[Floats
     return points, sphere
 
 
-def seam_azimuth(profile: ToothProfile) -> float:
+def seam_azimuth(profile: Profile) -> float:
     """Where the blank's faces are cut open: as far as can be from the flanks at heel and toe [rad]."""
     member = profile.member
     candidates = np.linspace(0.0, member.pitch, _SEAM_CANDIDATES)
-    tip = float(profile.angles("tip", 0.0)[1])
-    low, high = min(tip, profile.fillet.centre_azimuth), max(tip, profile.fillet.centre_azimuth)
     clearance = np.full_like(candidates, np.inf)
     for distance in (member.inner_cone_distance, member.outer_cone_distance):
-        inside = candidates - member.lengthwise.azimuth(distance) + member.pitch / 2
-        from_middle = np.abs(np.remainder(inside, member.pitch) - member.pitch / 2)
-        clearance = np.minimum(clearance, np.maximum(low - from_middle, from_middle - high))
+        (_, first, last), (_, after, before) = (profile.across(name, np.array(distance)) for name in ("tip", "root"))
+        tip = np.array([max(first, before - member.pitch), min(last, after)])
+        root = np.array([max(last, after), min(member.pitch + first, before)])
+        turned = candidates - member.lengthwise.azimuth(distance)
+        clear = np.full_like(candidates, -np.inf)
+        for low, high in (tip, root):
+            from_middle = np.remainder(turned - (low + high) / 2 + member.pitch / 2, member.pitch) - member.pitch / 2
+            clear = np.maximum(clear, (high - low) / 2 - np.abs(from_middle))
+        clearance = np.minimum(clearance, clear)
     return float(candidates[np.argmax(clearance)])
 
 
 def space_faces(tooth: Tooth, target: Target) -> list[NurbsSurface]:
     """Faces once round a tooth space, reaching beyond tip and ends; their normals point into the space."""
     member = extended(tooth.member)
-    profile = tooth_profile(member)
+    profile = tooth.profile.extended(member)
     goal = _EDGE_SHARE * target.tolerance
     flanks = {}
     for face in tooth.faces:
         if face.kind == "flank":
             surface = reversed_across(face.surface) if face.side > 0 else face.surface
-            flanks[face.side] = trimmed(profile_flank(profile, face.side), surface, goal)
+            flanks[face.side] = trimmed(profile.flank(face.side), surface, goal)
     faces = graft(profile, flanks, SAFETY * target.tolerance)
     descending = [face.surface for face in faces if face.side > 0]
     bottom = [face.surface for face in faces if face.kind == "root"]
@@ -168,13 +172,12 @@ def extended(member: MemberGeometry) -> MemberGeometry:
     )
 
 
-def _cap_angles(profile: ToothProfile) -> Angles:
+def _cap_angles(profile: Profile) -> Angles:
     """The face over a tooth space, with falling azimuth."""
-    middle = profile.member.pitch / 2
 
-    def angles(x: Floats, tip: Floats) -> tuple[Floats, Floats]:
-        delta, phi = profile.angles("tip", np.zeros(np.broadcast_shapes(x.shape, tip.shape)), tip)
-        return delta, middle + (1 - 2 * x) * (middle - phi)
+    def angles(x: Floats, rho_u: Floats) -> tuple[Floats, Floats]:
+        delta, next_first, last = profile.across("tip", rho_u)
+        return delta, (1 - x) * (profile.member.pitch + next_first) + x * last
 
     return angles
 

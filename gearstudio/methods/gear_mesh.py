@@ -160,10 +160,11 @@ def _twist(surface: NurbsSurface) -> float:
 
 def _end_count(tooth: Tooth, goal: float, angle: float) -> int:
     """Even steps across the foot of the tooth's ends, which are as curved as the circle that they stand on."""
-    member, fillet = tooth.member, tooth.profile.fillet
-    radius = float(member.cone_distance(member.outer_cone_distance, member.root_angle) * np.sin(member.root_angle))
+    member, heel = tooth.member, np.array(tooth.member.outer_cone_distance)
+    delta, after, before = tooth.profile.across("root", heel)
+    radius = float(member.cone_distance(heel, delta) * np.sin(delta))
     step = min(2 * float(np.arccos(1 - min(goal / radius, 0.5))), angle)
-    return int(np.clip(np.ceil(2 * fillet.centre_azimuth / step), _FEWEST, _MOST))
+    return int(np.clip(np.ceil(float(after + member.pitch - before) / step), _FEWEST, _MOST))
 
 
 def _all_turns(points: Floats, teeth: int) -> Floats:

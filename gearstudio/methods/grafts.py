@@ -15,13 +15,11 @@ from numpy.typing import NDArray
 from gearstudio.methods.space import Points, Space
 from gearstudio.nurbs import NurbsSurface
 from gearstudio.theory.cones import MemberGeometry
-from gearstudio.theory.profile import Segment, ToothProfile
+from gearstudio.theory.section import Profile, Segment, Shift
 
 Floats = NDArray[np.float64]
 Angles = Callable[[Floats, Floats], tuple[Floats, Floats]]
-"""Polar angle and azimuth in the section of exact points at x (0 to 1) of a face and tip angles."""
-Shift = Callable[[Floats, Floats], Floats]
-"""Azimuth [rad] by which exact points at cone distances and polar angles are turned."""
+"""Polar angle and azimuth in the section of exact points at x (0 to 1) of a face and rho_u [mm]."""
 
 
 @dataclass(frozen=True)
@@ -35,11 +33,6 @@ class Edge:
     rho_u: Floats
     delta: Floats | None = None
     phi: Floats | None = None
-
-
-def free_edge(member: MemberGeometry, places: Floats) -> Edge:
-    """An edge that theory gives, its places divided as the lengthwise law asks."""
-    return Edge(member.lengthwise.divided(member.inner_cone_distance, member.outer_cone_distance, places))
 
 
 def edge_of(member: MemberGeometry, surface: NurbsSurface, u: float, places: Floats, turned: float = 0.0) -> Edge:
@@ -72,7 +65,7 @@ def blended(
     """
 
     def at(x: Floats, rho_u: Floats) -> tuple[Floats, Floats]:
-        delta, phi = exact(x, _tip(member, rho_u))
+        delta, phi = exact(x, rho_u)
         return delta, phi if shift is None else phi + shift(member.cone_distance(rho_u, delta), delta)
 
     def points(x: Floats, y: Floats) -> Floats:
@@ -90,24 +83,17 @@ def blended(
     return points
 
 
-def lower_angles(profile: ToothProfile, name: Segment, side: int) -> Angles:
+def lower_angles(profile: Profile, name: Segment, side: int) -> Angles:
     """A fillet or meridian on one side, from the root's end (x = 0) up."""
-
-    def angles(x: Floats, tip: Floats) -> tuple[Floats, Floats]:
-        delta, phi = profile.angles(name, np.broadcast_to(x, np.broadcast_shapes(x.shape, tip.shape)), tip)
-        return delta, side * phi
-
-    return angles
+    return lambda x, rho_u: profile.rising(name, side, x, rho_u)
 
 
-def across_angles(profile: ToothProfile, name: Segment) -> Angles:
+def across_angles(profile: Profile, name: Segment) -> Angles:
     """The tip (about azimuth 0) or the root (about half a pitch), with growing azimuth."""
-    middle, end = (0.0, 0.0) if name == "tip" else (profile.member.pitch / 2, 1.0)
 
-    def angles(x: Floats, tip: Floats) -> tuple[Floats, Floats]:
-        at = np.full(np.broadcast_shapes(x.shape, tip.shape), end)
-        delta, phi = profile.angles(name, at, tip)
-        return delta, middle + (2 * x - 1) * np.abs(phi - middle)
+    def angles(x: Floats, rho_u: Floats) -> tuple[Floats, Floats]:
+        delta, first, last = profile.across(name, rho_u)
+        return delta, first + x * (last - first)
 
     return angles
 
@@ -121,10 +107,6 @@ def reversed_across(surface: NurbsSurface) -> NurbsSurface:
 def profile_space() -> Space:
     """Where the fit of a face begins across the tooth."""
     return Space.even(5, 1)
-
-
-def _tip(member: MemberGeometry, rho_u: Floats) -> Floats:
-    return member.limit_angle(member.tip_limit, rho_u)
 
 
 def _wrapped(angle: Floats) -> Floats:

@@ -11,7 +11,7 @@ from gearstudio.methods.base import SAFETY, Target
 from gearstudio.methods.grafts import Angles, blended, edge_of, profile_space
 from gearstudio.methods.space import fitted, space_v
 from gearstudio.methods.tooth import Tooth
-from gearstudio.theory.profile import ToothProfile
+from gearstudio.theory.section import Profile
 
 Floats = NDArray[np.float64]
 
@@ -43,11 +43,11 @@ def tooth_names(tooth: Tooth, shell: GearShell) -> tuple[tuple[str, Face], ...]:
     return tuple(zip(titles, (*shell.tooth_faces[0], *shell.chamfer_faces[0]), strict=True))
 
 
-def _bottom_angles(profile: ToothProfile) -> Angles:
+def _bottom_angles(profile: Profile) -> Angles:
     """The root cone below the tooth, with falling azimuth."""
 
-    def angles(x: Floats, tip: Floats) -> tuple[Floats, Floats]:
-        x = np.broadcast_to(x, np.broadcast_shapes(x.shape, tip.shape))
-        return np.full(x.shape, profile.member.root_angle), (1 - 2 * x) * profile.fillet.centre_azimuth
+    def angles(x: Floats, rho_u: Floats) -> tuple[Floats, Floats]:
+        delta, after, before = profile.across("root", rho_u)
+        return delta, after + x * (before - profile.member.pitch - after)
 
     return angles

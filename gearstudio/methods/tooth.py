@@ -7,8 +7,7 @@ faces holds the flanks' own, so that neighbours share their edge exactly, whatev
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
-from functools import partial
+from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,7 +21,6 @@ from gearstudio.methods.grafts import (
     across_angles,
     blended,
     edge_of,
-    free_edge,
     lower_angles,
     profile_space,
     reversed_across,
@@ -31,10 +29,9 @@ from gearstudio.methods.space import Points, Space, fitted, space_v
 from gearstudio.methods.trimming import trimmed
 from gearstudio.nurbs import NurbsSurface
 from gearstudio.theory.chamfer import EndChamfer
-from gearstudio.theory.cones import ConeLimit, MemberGeometry
-from gearstudio.theory.flank import Flank
-from gearstudio.theory.modified import flank_on, relief_on
-from gearstudio.theory.profile import Segment, ToothProfile, tooth_profile
+from gearstudio.theory.cones import MemberGeometry
+from gearstudio.theory.profile import profile_of
+from gearstudio.theory.section import Profile, Segment
 
 Floats = NDArray[np.float64]
 
@@ -68,7 +65,7 @@ class Tooth:
     """
 
     member: MemberGeometry
-    profile: ToothProfile
+    profile: Profile
     faces: tuple[ToothFace, ...]
     constructions: dict[str, Construction]
     chamfers: tuple[EndChamfer, ...] = ()
@@ -84,85 +81,78 @@ def build_tooth(member: MemberGeometry, method_id: str, variant: Variant, target
     ModellingError
         The method could not make a flank.
     """
-    profile = tooth_profile(member)
-    flanks = {side: profile_flank(profile, side) for side in (-1, 1)}
+    profile = profile_of(member)
+    flanks = {side: profile.flank(side) for side in (-1, 1)}
     built = {side: method(method_id).build(flank, variant, target) for side, flank in flanks.items()}
-    goal = _EDGE_SHARE * target.tolerance
-    surfaces = {side: trimmed(flanks[side], built[side].surface, goal) for side in (-1, 1)}
-    for side in (-1, 1):
-        _check_foot(profile, surfaces[side])
     if any(construction.instead is not None for construction in built.values()):
-        member = replace(member, reliefs=(None, None))
-        profile = tooth_profile(member)
+        profile = profile.unmodified({side: built[side].instead or flanks[side] for side in (-1, 1)})
+    goal = _EDGE_SHARE * target.tolerance
+    surfaces = {side: trimmed(profile.flank(side), built[side].surface, goal) for side in (-1, 1)}
+    for side in (-1, 1):
+        _check_foot(profile, side, surfaces[side])
     faces = graft(profile, surfaces, SAFETY * target.tolerance)
-    return Tooth(member, profile, faces, {flanks[side].name: built[side] for side in (-1, 1)})
+    return Tooth(profile.member, profile, faces, {flanks[side].name: built[side] for side in (-1, 1)})
 
 
-def graft(profile: ToothProfile, flanks: dict[int, NurbsSurface], goal: float) -> tuple[ToothFace, ...]:
+def graft(profile: Profile, flanks: dict[int, NurbsSurface], goal: float) -> tuple[ToothFace, ...]:
     """All faces of a tooth from its flanks by side, the others fitted within a goal [mm]."""
     return _Grafting(profile, flanks, goal).faces()
 
 
-def profile_flank(profile: ToothProfile, side: int) -> Flank:
-    """The flank on one side, from the foot of the fillet, or the base cone, to the tip."""
-    member = profile.member
-    foot = ConeLimit(profile.fillet.foot_angle, 0.0, member.pitch_angle)
-    return flank_on(member, side, member.base_limit if profile.fillet.on_meridian else foot)
-
-
-def _check_foot(profile: ToothProfile, surface: NurbsSurface) -> None:
+def _check_foot(profile: Profile, side: int, surface: NurbsSurface) -> None:
     """Refuse a flank whose lower edge leaves no room for the fillet."""
     member = profile.member
-    foot = _polar_angles(surface.grid([0.0], np.linspace(0.0, 1.0, _FOOT_SAMPLES))[0])
-    if np.min(foot) - member.root_angle < _LEAST_FILLET * (profile.fillet.foot_angle - member.root_angle):
+    x, y, z = surface.grid([0.0], np.linspace(0.0, 1.0, _FOOT_SAMPLES))[0].T
+    radius = np.hypot(x, y)
+    delta = np.arctan2(radius, z)
+    rho_u = member.end_distance(np.hypot(radius, z), delta)
+    root = member.limit_angle(member.root_limit, rho_u)
+    if np.any(delta - root < _LEAST_FILLET * (profile.foot_angle(side, rho_u) - root)):
         raise GeometryError(
             f"a {member.name} flank reaches into the root; the variant is too inaccurate for this design "
             "to make a tooth of"
         )
 
 
-def _polar_angles(points: Floats) -> Floats:
-    return np.arctan2(np.hypot(points[..., 0], points[..., 1]), points[..., 2])
-
-
 @dataclass
 class _Grafting:
     """Fits the faces beside the flanks; ``v`` is their common lengthwise space, which grows as a face asks."""
 
-    profile: ToothProfile
+    profile: Profile
     flanks: dict[int, NurbsSurface]
     goal: float
     made: dict[tuple[str, int], NurbsSurface] = field(default_factory=dict)
 
     def faces(self) -> tuple[ToothFace, ...]:
-        below: list[Segment] = [name for name in self.profile.segments if name in ("fillet", "meridian")]
-        self._fit_in_one_space(below)
+        self._fit_in_one_space()
 
         def face(name: Segment, side: int) -> ToothFace:
             surface = self.flanks[side] if name == "flank" else self.made[name, side]
             return ToothFace(name, side, reversed_across(surface) if side > 0 else surface)
 
-        rising: list[Segment] = [*below, "flank"]
-        faces = [face(name, -1) for name in rising] + [face("tip", 0)] + [face(name, 1) for name in reversed(rising)]
-        return (*faces, face("root", 0)) if "root" in self.profile.segments else tuple(faces)
+        first, last = self.profile.below(-1), self.profile.below(1)
+        faces = [face(name, -1) for name in (*first, "flank")]
+        faces += [face("tip", 0), *(face(name, 1) for name in reversed((*last, "flank")))]
+        return (*faces, face("root", 0)) if self.profile.has_root else tuple(faces)
 
-    def _fit_in_one_space(self, below: list[Segment]) -> None:
+    def _fit_in_one_space(self) -> None:
         """A face that needs a larger space makes the others, whose free edges must be the same, be fitted again."""
         space = space_v(self.flanks[-1]).joined(space_v(self.flanks[1]))
         while True:
             first = space
             for side in (-1, 1):
+                below = self.profile.below(side)
                 for name in below:
                     space = self._fit(name, side, self._lower(name, side, below[-1]), space)
             space = self._fit("tip", 0, self._tip(), space)
-            if "root" in self.profile.segments:
+            if self.profile.has_root:
                 space = self._fit("root", 0, self._root(), space)
             if len(space.knots) == len(first.knots):
                 return
 
     def _fit(self, name: Segment, side: int, points: Points, space: Space) -> Space:
         what = f"{self.profile.member.name} {name}"
-        turned = side != 0 and relief_on(self.profile.member, side) is not None
+        turned = side != 0 and self.profile.shift_on(side) is not None
         surface = fitted(what, profile_space(), space, points, _TURNED_SHARE * self.goal if turned else self.goal)
         self.made[name, side] = surface
         return space_v(surface)
@@ -171,9 +161,8 @@ class _Grafting:
         def top(y: Floats) -> Edge:
             return self._edge(self.flanks[side], 0.0, y) if name == highest else self._free(y)
 
-        profile = self.profile
-        shift = None if relief_on(profile.member, side) is None else partial(profile.shift, side)
-        return blended(profile.member, lower_angles(profile, name, side), self._free, top, shift)
+        angles = lower_angles(self.profile, name, side)
+        return blended(self.profile.member, angles, self._free, top, self.profile.shift_on(side))
 
     def _tip(self) -> Points:
         return blended(
@@ -195,7 +184,7 @@ class _Grafting:
         )
 
     def _free(self, y: Floats) -> Edge:
-        return free_edge(self.profile.member, y)
+        return Edge(self.profile.places(y))
 
     def _edge(self, surface: NurbsSurface, u: float, y: Floats, turned: float = 0.0) -> Edge:
         return edge_of(self.profile.member, surface, u, y, turned)

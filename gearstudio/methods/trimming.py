@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from gearstudio.errors import GeometryError
 from gearstudio.methods.space import Space, fitted, space_u, space_v
 from gearstudio.nurbs import NurbsSurface
-from gearstudio.theory.flank import Flank
+from gearstudio.theory.flank import Flank, InvoluteFlank
 
 Floats = NDArray[np.float64]
 
@@ -119,8 +119,10 @@ class _Cut:
         return float(np.abs(self.place(np.zeros(_SAMPLES), _GRID)[0]).max()) * self._height()
 
     def foot_clearance(self) -> float:
-        """Least height of the foot of the flank above the base cone [mm]."""
+        """Least height of the foot of the flank above the base cone [mm]; a conjugate flank has no cusp there."""
         m = self.flank.member
+        if not isinstance(self.flank, InvoluteFlank):
+            return np.inf
         return float(np.min(self.flank.limits(_GRID)[0] - m.base_angle)) * m.inner_cone_distance
 
     def _height(self) -> float:

@@ -7,19 +7,21 @@ further, by `ToothProfile.shift`.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Literal
+from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from gearstudio.errors import GeometryError
-from gearstudio.theory.cones import MemberGeometry
+from gearstudio.theory.cones import ConeLimit, MemberGeometry
+from gearstudio.theory.flank_protocol import Flank
+from gearstudio.theory.hypoid.profile import hypoid_profile
 from gearstudio.theory.involute import azimuth_from_arc, involute_azimuth, polar_angle, roll_arc
-from gearstudio.theory.modified import azimuth_shift, azimuth_shift_slope, relief_on
+from gearstudio.theory.modified import azimuth_shift, azimuth_shift_slope, flank_on, relief_on
+from gearstudio.theory.section import Profile, Segment, Shift, off_circle
 
 Floats = NDArray[np.float64]
-Segment = Literal["root", "fillet", "meridian", "flank", "tip"]
 
 _BISECTIONS = 200
 
@@ -143,6 +145,62 @@ class ToothProfile:
         slope = azimuth_shift_slope(m, side, relief, rho, np.full_like(delta, top)) * depth
         return np.where(below, t**2 * (value * (3 - 2 * t) + slope * (t - 1)), value)
 
+    @property
+    def has_root(self) -> bool:
+        """See `Profile`."""
+        return not self.fillet.full_round
+
+    def below(self, side: int) -> tuple[Segment, ...]:
+        """See `Profile`."""
+        return ("fillet", "meridian") if "meridian" in self.segments else ("fillet",)
+
+    def flank(self, side: int) -> Flank:
+        """See `Profile`."""
+        m = self.member
+        foot = m.base_limit if self.fillet.on_meridian else ConeLimit(self.fillet.foot_angle, 0.0, m.pitch_angle)
+        return flank_on(m, side, foot)
+
+    def shift_on(self, side: int) -> Shift | None:
+        """See `Profile`."""
+        return None if relief_on(self.member, side) is None else partial(self.shift, side)
+
+    def places(self, share: Floats) -> Floats:
+        """See `Profile`."""
+        m = self.member
+        return m.lengthwise.divided(m.inner_cone_distance, m.outer_cone_distance, share)
+
+    def rising(self, name: Segment, side: int, x: Floats, rho_u: Floats) -> tuple[Floats, Floats]:
+        """See `Profile`."""
+        delta, phi = self.angles(name, x)
+        return delta, side * phi
+
+    def across(self, name: Segment, rho_u: Floats) -> tuple[Floats, Floats, Floats]:
+        """See `Profile`."""
+        m = self.member
+        if name == "tip":
+            delta, phi = self.angles("tip", np.zeros_like(rho_u), m.limit_angle(m.tip_limit, rho_u))
+            return delta, -phi, phi
+        edge = np.full_like(rho_u, self.fillet.centre_azimuth)
+        return np.full_like(rho_u, m.root_angle), edge, m.pitch - edge
+
+    def foot_angle(self, side: int, rho_u: Floats) -> Floats:
+        """See `Profile`."""
+        return np.full_like(rho_u, self.fillet.foot_angle)
+
+    def off_fillet(self, side: int, rho: Floats, delta: Floats, phi: Floats) -> Floats:
+        """See `Profile`."""
+        turned = phi - self.shift(side, rho, delta)
+        azimuth = np.remainder(side * turned - self.fillet.centre_azimuth + np.pi, 2 * np.pi) - np.pi
+        return off_circle(np.asarray(self.fillet.radius), np.asarray(self.fillet.centre_angle), delta, azimuth) * rho
+
+    def extended(self, member: MemberGeometry) -> Profile:
+        """See `Profile`."""
+        return tooth_profile(member)
+
+    def unmodified(self, flanks: dict[int, Flank]) -> Profile:
+        """See `Profile`."""
+        return tooth_profile(replace(self.member, reliefs=(None, None)))
+
     def outline(self, v: float, samples: int = 16) -> Floats:
         """Points of the whole profile at a place along the face, from space to space, shape (n, 3) [mm].
 
@@ -171,8 +229,21 @@ class ToothProfile:
         return np.stack([radius * np.cos(azimuth), radius * np.sin(azimuth), rho * np.cos(delta)], axis=-1)
 
 
+def profile_of(member: MemberGeometry) -> Profile:
+    """The profile of a member's tooth, of whatever kind its pair is.
+
+    Raises
+    ------
+    GeometryError
+        As `tooth_profile` and `hypoid_profile`.
+    """
+    if member.hypoid is None and member.root_limit.offset == 0:
+        return tooth_profile(member)
+    return hypoid_profile({side: flank_on(member, side) for side in (-1, 1)})
+
+
 def tooth_profile(member: MemberGeometry) -> ToothProfile:
-    """The profile of a member's tooth.
+    """The profile of a member's tooth whose root cone has the apex of the pitch cone, without an offset.
 
     Raises
     ------

@@ -15,7 +15,7 @@ from OCP.TopAbs import TopAbs_State
 
 from gearstudio.design import Design, with_field
 from gearstudio.kernel.cutting import Face
-from gearstudio.methods.tooth import Tooth, profile_flank
+from gearstudio.methods.tooth import Tooth
 
 Floats = NDArray[np.float64]
 Changes = Mapping[str, Any]
@@ -49,7 +49,7 @@ def points_inside(face: Face, wanted: int = 6) -> Floats:
 def off_fillet(tooth: Tooth, side: int, points: Floats) -> Floats:
     """How far points (..., 3) of a fillet lie from the circle of theory [mm], turned with the flank, shape (...)."""
     fillet, member = tooth.profile.fillet, tooth.member
-    rho, delta, phi = profile_flank(tooth.profile, side).locate(points)
+    rho, delta, phi = tooth.profile.flank(side).locate(points)
     turned = member.lengthwise.azimuth(rho) + tooth.profile.shift(side, rho, delta)
     azimuth = side * (phi - turned) - fillet.centre_azimuth
     half = np.sin((delta - fillet.centre_angle) / 2) ** 2

@@ -94,11 +94,10 @@ def test_meshes_are_watertight_within_their_chord() -> None:
 
 def largest_chord(mesh: Mesh, tooth: Any) -> float:
     """Farthest that middles of triangles lie from the flanks that they stand for, on the tooth at azimuth 0."""
-    from gearstudio.methods.tooth import profile_flank
 
     worst = 0.0
     for side in (-1, 1):
-        flank = profile_flank(tooth.profile, side)
+        flank = tooth.profile.flank(side)
         triangles = mesh.groups[flank.name]
         one = triangles[(np.arange(len(triangles)) % (len(triangles) // 2)) < len(triangles) // 2 // tooth.member.teeth]
         worst = max(worst, float(np.abs(flank.deviation(mesh.points[one].mean(axis=1))).max()))

@@ -15,7 +15,7 @@ from gearstudio.jobs import ExportJob
 from gearstudio.kernel.step import read_flanks_step
 from gearstudio.methods.gear import design_tooth, ignore, target_of
 from gearstudio.methods.single import tooth_solid
-from gearstudio.methods.tooth import Tooth, ToothFace, profile_flank
+from gearstudio.methods.tooth import Tooth, ToothFace
 from gearstudio.nurbs import NurbsSurface, basis_matrix
 from gearstudio.presets import PRESETS_BY_KEY
 from gearstudio.theory.cones import pair_geometry
@@ -120,7 +120,7 @@ def test_flanks_in_the_file_of_a_whole_gear_are_those_of_theory(method: str, tmp
     tooth = design_tooth(design, "wheel", method, "optimised")
     assert sum(name.endswith(" concave") for name in faces) == 18
     for side in (-1, 1):
-        flank = profile_flank(tooth.profile, side)
+        flank = tooth.profile.flank(side)
         for number in (1, 7):
             points = (
                 faces[f"tooth {number} {flank.name}"].uniform_grid(31, 31) @ about_axis(-(number - 1) * member.pitch).T
