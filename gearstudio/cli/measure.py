@@ -25,12 +25,13 @@ def run(args: argparse.Namespace) -> int:
     """Carry the command out; the exit status is 2 when the points are not of this gear."""
     from gearstudio.analysis.measurement import measure
 
-    pair = pair_geometry(open_design(args.design))
+    design = open_design(args.design)
+    pair = pair_geometry(design)
     progress = Progress()
     fit = {"turn": not args.no_turn, "shift": not args.no_shift}
     try:
         chunks, start = _points(args, pair, lambda stage, part: progress(stage, _READING * part))
-        result = measure(pair, args.member, chunks, **fit, start_shift=start, report=progress)
+        result = measure(pair, args.member, chunks, **fit, start_shift=start, design=design, report=progress)
     except GeometryError as error:
         progress.clear()
         problem(f"{args.points}: {error}")

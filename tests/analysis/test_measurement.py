@@ -241,6 +241,41 @@ def test_points_of_another_gear_are_refused(kind: str, normals: bool) -> None:
         measure(PAIR, "wheel", made.measured(normals))
 
 
+SIMILAR = {
+    "17/43 teeth": {"wheel_teeth": 43},
+    "17/38 teeth": {"wheel_teeth": 38},
+    "18/40 teeth": {"pinion_teeth": 18},
+    "a pressure angle of 22.5°": {"pressure_angle_deg": 22.5},
+}
+
+
+@pytest.mark.parametrize("words", SIMILAR)
+def test_points_of_a_similar_gear_are_refused_by_its_name(words: str) -> None:
+    similar = pair_geometry(Design.model_validate({"pair": SIMILAR[words]})).pinion
+    made = part(similar, range(0, similar.teeth, 4), turn=0.1, shift=0.2, noise_um=2)
+    with pytest.raises(GeometryError, match=f"they fit the pinion of a pair with {words}"):
+        measure(PAIR, "pinion", made.measured(), design=Design())
+
+
+@pytest.mark.parametrize(
+    ("form", "both"), [("x", True), ("y", True), ("x", False), ("x * y", True), ("y - y**2", False)]
+)
+def test_a_part_with_large_errors_is_still_measured(form: str, both: bool) -> None:
+    """50 µm of one error, clean and alike on every tooth, as another gear would look."""
+
+    def error(flank: InvoluteFlank, tooth: int, points: np.ndarray, x: np.ndarray, y: np.ndarray) -> np.ndarray:
+        return 25 * np.asarray(eval(form, {"x": x, "y": y})) * (1 if both or flank.side > 0 else -1)
+
+    made = part(PAIR.pinion, range(0, 17, 6), error=error, turn=0.1)
+    assert measure(PAIR, "pinion", made.measured(), design=Design()).statistics.max_um > 5
+
+
+def test_a_part_that_lies_elsewhere_says_what_to_switch_on() -> None:
+    made = part(PAIR.wheel, range(0, 40, 8), shift=1.5)
+    with pytest.raises(GeometryError, match="they fit when the best fit may turn and shift"):
+        measure(PAIR, "wheel", made.measured(), shift=False)
+
+
 def test_points_of_the_mate_are_named() -> None:
     with pytest.raises(GeometryError, match="they fit the wheel"):
         measure(PAIR, "pinion", part(PAIR.wheel, range(8)).measured())

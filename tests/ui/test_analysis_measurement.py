@@ -131,7 +131,7 @@ def test_the_nominal_grid_reads_back(page, qtbot, tmp_path: Path) -> None:
 
 
 def test_bars_stand_on_the_measured_grid(file: Path) -> None:
-    done = measured(PAIR, "wheel", Source(file), (True, True), lambda stage, part: None)
+    done = measured(Design(), PAIR, "wheel", Source(file), (True, True), lambda stage, part: None)
     assert done.teeth == (0, 1, 2, 3)
     data, largest = topography(done, 1)
     assert 1.0 < largest <= 6.0
@@ -153,7 +153,7 @@ def test_bars_stand_on_the_measured_grid(file: Path) -> None:
 def test_scattered_points_and_one_flank_are_drawn_too(tmp_path: Path) -> None:
     flank, random = involute_flank(PAIR.wheel, "convex"), np.random.default_rng(2)
     np.savetxt(tmp_path / "s.dat", flank.points(*random.uniform(0.02, 0.98, (2, 2000))))
-    done = measured(PAIR, "wheel", Source(tmp_path / "s.dat"), (True, True), lambda stage, part: None)
+    done = measured(Design(), PAIR, "wheel", Source(tmp_path / "s.dat"), (True, True), lambda stage, part: None)
     data, _ = topography(done)
     concave, convex = data.maps
     assert concave.title.endswith("not measured") and len(convex.lines[0].points) > 100
