@@ -6,6 +6,9 @@ from collections.abc import Sequence
 from dataclasses import asdict, dataclass, field
 from typing import Any
 
+Prose = tuple[tuple[str, str], ...]
+"""Words and mathematics in turn, as pairs of ``"text"`` or ``"mathematics"`` and the content."""
+
 
 @dataclass(frozen=True)
 class Text:
@@ -25,7 +28,7 @@ class Heading:
 
 @dataclass(frozen=True)
 class Table:
-    """A table.
+    """A table as wide as the text.
 
     Attributes
     ----------
@@ -33,17 +36,16 @@ class Table:
     rows : tuple of tuple of str
         A row with a single cell is a heading across the table.
     align : str
-        One letter for each column: ``l``, ``r`` or ``c``.
-    caption : str
-    mathematics : tuple of int
-        Columns that are typst mathematics.
+        One letter for each column: ``l``, ``r`` or ``c``; ``d`` for numbers with their points below each other,
+        ``m`` for typst mathematics, ``k`` for words of files.
+    shares : tuple of float
+        How the columns share the room that is left: 0 for one as wide as what is in it.
     """
 
     header: tuple[str, ...]
     rows: tuple[tuple[str, ...], ...]
     align: str
-    caption: str = ""
-    mathematics: tuple[int, ...] = ()
+    shares: tuple[float, ...] = (1.0,)
     kind: str = "table"
 
 
@@ -65,9 +67,9 @@ class Formula:
     number: str
     used: str
     printed: str
-    meaning: str
-    departure: str
-    numbers: tuple[str, ...]
+    meaning: Prose
+    departure: Prose
+    numbers: tuple[tuple[str, str], ...]
     kind: str = "formula"
 
 
@@ -76,11 +78,12 @@ Block = Text | Heading | Table | Picture | Formula
 
 @dataclass(frozen=True)
 class Chapter:
-    """A section of the report with its blocks."""
+    """A section of the report with its blocks; `fresh` begins a page."""
 
     key: str
     title: str
     blocks: tuple[Block, ...]
+    fresh: bool = False
 
 
 @dataclass(frozen=True)
@@ -91,10 +94,13 @@ class Pages:
     facts: tuple[tuple[str, str], ...]
     chapters: tuple[Chapter, ...]
     files: dict[str, bytes] = field(default_factory=dict)
+    cover: Picture | None = None
 
     def data(self) -> dict[str, Any]:
         """For the typesetter, without the figures' contents."""
-        return {"title": self.title, "facts": self.facts, "chapters": [asdict(one) for one in self.chapters]}
+        cover = None if self.cover is None else asdict(self.cover)
+        chapters = [asdict(one) for one in self.chapters]
+        return {"title": self.title, "facts": self.facts, "chapters": chapters, "cover": cover}
 
 
 def rows(table: Sequence[Sequence[str]]) -> tuple[tuple[str, ...], ...]:

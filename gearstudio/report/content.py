@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass, field
 from functools import partial
+from pathlib import Path
 from typing import TypeVar
 
 from gearstudio.analysis.comparison import build_variant
@@ -15,6 +16,7 @@ from gearstudio.analysis.datasheet import DataSheet, data_sheet
 from gearstudio.catalogue import MEMBERS, METHOD_IDS, VARIANTS, MemberName, Variant
 from gearstudio.design import Design
 from gearstudio.errors import GearStudioError
+from gearstudio.report.exports import Exported, exports_in
 from gearstudio.results import VariantResult
 from gearstudio.theory.cones import PairGeometry, pair_geometry
 
@@ -22,7 +24,7 @@ Report = Callable[[str, float], None]
 Key = tuple[MemberName, str, Variant]
 T = TypeVar("T")
 
-_BUILT_FOR = {"comparison", "deviation", "curvature", "topography", "pictures"}
+_BUILT_FOR = {"comparison", "deviation", "curvature", "topography"}
 _SAMPLES = (49, 49)
 _COUNTS = (4, 6, 8, 11, 15, 21, 30)
 
@@ -36,6 +38,8 @@ class Content:
     results : mapping of (member, method, variant) to VariantResult
         Those that could be built; the reasons for the others are in `failures`.
     sheet, contact : None where the section is not wanted or the geometry does not allow it.
+    folder, exports :
+        Where the project is, if it is saved, and the exports with a record there.
     """
 
     design: Design
@@ -47,9 +51,13 @@ class Content:
     contact: ContactResult | None = None
     studies: tuple[ConvergenceStudy, ...] = ()
     notes: tuple[str, ...] = ()
+    folder: Path | None = None
+    exports: tuple[Exported, ...] = ()
 
 
-def gather(design: Design, member: MemberName, sections: Collection[str], report: Report) -> Content:
+def gather(
+    design: Design, member: MemberName, sections: Collection[str], report: Report, folder: Path | None = None
+) -> Content:
     """Compute what the sections need; a part that fails is noted and leaves the others alone."""
     pair = pair_geometry(design)
     results: dict[Key, VariantResult] = {}
@@ -69,7 +77,8 @@ def gather(design: Design, member: MemberName, sections: Collection[str], report
     contact = _tried(lambda: contact_analysis(pair), notes) if "contact" in sections else None
     report("convergence", 0.58)
     studies = _studies(design, member) if "convergence" in sections else ()
-    return Content(design, pair, member, results, failures, sheet, contact, studies, tuple(notes))
+    exports = exports_in(folder, design) if "exports" in sections else ()
+    return Content(design, pair, member, results, failures, sheet, contact, studies, tuple(notes), folder, exports)
 
 
 def _studies(design: Design, member: MemberName) -> tuple[ConvergenceStudy, ...]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import platform
 import tempfile
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Callable, Collection
 from datetime import datetime
 from importlib import metadata, resources
 from pathlib import Path
@@ -15,11 +15,13 @@ from gearstudio.catalogue import MemberName
 from gearstudio.design import Design
 from gearstudio.errors import ModellingError
 from gearstudio.report.blocks import Pages
-from gearstudio.report.chapters import Store, chapter
+from gearstudio.report.chapters import chapter
 from gearstudio.report.content import Content, gather
 from gearstudio.report.sections import SECTION_KEYS
+from gearstudio.report.store import Store, Taken
 
 Report = Callable[[str, float], None]
+_COVER_WIDTH = 0.9
 _PARTS = ("cadquery-ocp-novtk", "numpy", "scipy", "typst")
 
 
@@ -27,8 +29,9 @@ def compose(
     design: Design,
     sections: Collection[str],
     member: MemberName,
-    pictures: Mapping[str, bytes],
+    pictures: Callable[[], Taken],
     report: Report,
+    folder: Path | None = None,
 ) -> Pages:
     """Compute and draw the report of a design.
 
@@ -40,19 +43,25 @@ def compose(
         Keys of `SECTIONS`; they come in the order of the report.
     member : {"pinion", "wheel"}
         Whose flanks the maps show; tables have both.
-    pictures : mapping of name to PNG
-        Of the three views (``views``) and of the pair (``pair``).
+    pictures : callable
+        Called last, for pictures of the three views (``views``) and of the pair (``pair``), when they are wanted.
     report : callable
         Takes the stage that begins and the fraction done.
+    folder : Path, optional
+        Where the project is, and with it the exports.
     """
-    content = gather(design, member, sections, report)
-    store = Store(pictures)
+    content = gather(design, member, sections, report, folder)
+    store, made = Store(), {}
     wanted = [key for key in SECTION_KEYS if key in sections]
-    made = []
-    for index, key in enumerate(wanted):
+    for index, key in enumerate(sorted(wanted, key=lambda one: one == "pictures")):
+        if key == "pictures":
+            report("waiting for pictures", 0.6 + 0.3 * index / len(wanted))
+            store.taken = pictures()
         report(f"drawing {key}", 0.6 + 0.3 * index / len(wanted))
-        made.append(chapter(key, content, store))
-    return Pages(design.name or "Unnamed pair", _facts(content), tuple(made), store.files)
+        made[key] = chapter(key, content, store)
+    cover = store.picture("pair", "", _COVER_WIDTH)
+    chapters = tuple(made[key] for key in wanted)
+    return Pages(design.name or "Unnamed pair", _facts(content), chapters, store.files, cover)
 
 
 def typeset(pages: Pages, dots_per_inch: int = 0) -> tuple[bytes, ...]:
@@ -87,7 +96,8 @@ def _facts(content: Content) -> tuple[tuple[str, str], ...]:
     facts = [
         ("Pair", f"{d.pair.pinion_teeth} / {d.pair.wheel_teeth} teeth, outer module {d.pair.outer_module:g} mm, "
                  f"shaft angle {d.pair.shaft_angle_deg:g}°, {d.pair.pinion_hand}-hand pinion"),
-        ("Teeth", f"{d.lengthwise.curve.replace('_', ' ')}, spiral angle {d.lengthwise.spiral_angle_deg:g}° at "
+        ("Teeth", f"{d.lengthwise.curve.replace('_', ' ').capitalize()}, "
+                  f"spiral angle {d.lengthwise.spiral_angle_deg:g}° at "
                   f"{d.lengthwise.spiral_angle_at}, pressure angle {d.pair.pressure_angle_deg:g}° "
                   f"{d.pair.pressure_angle_kind}"),
         ("Size", f"outer cone distance {pair.wheel.outer_cone_distance:.4f} mm, "

@@ -7,11 +7,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from gearstudio.analysis.curvature import surface_curvature, theory_curvature
+from gearstudio.analysis.curvature import CurvatureMap, surface_curvature, theory_curvature
 from gearstudio.analysis.deviation import deviation_map
 from gearstudio.catalogue import METHOD_INFOS, VARIANTS
 from gearstudio.report.content import Content
-from gearstudio.report.style import DIVERGING, SIDES, figure, svg
+from gearstudio.report.style import DIVERGING, SEQUENTIAL, SIDES, Frame, figure, length_unit, rounded_up, scale, svg
 from gearstudio.results import FlankResult
 from gearstudio.theory.flank import FLANKS, FlankName
 from gearstudio.theory.modified import flank_of
@@ -21,6 +21,9 @@ Floats = NDArray[np.float64]
 _CURVATURE_GRID = (25, 33)
 _FROM_BASE = 0.03
 _MEASURING_GRID = (5, 9)
+_LEAST_UM = 1e-6
+_LEAST_CURVATURE = 1e-9
+_MOST_OF_LINES = 900
 
 
 def flat(content: Content, points: Floats) -> tuple[Floats, Floats]:
@@ -31,61 +34,82 @@ def flat(content: Content, points: Floats) -> tuple[Floats, Floats]:
 
 
 def deviation_maps(content: Content, flank: FlankName) -> bytes:
-    """All methods, one row for each variant, each with a scale of its own: signed deviation [µm]."""
-    with figure(3.1, len(VARIANTS), len(METHOD_INFOS), sharex=True, sharey=True) as (drawn, axes):
+    """All methods, one row for each variant, each with a scale of its own: signed deviation."""
+    with figure(Frame(3.9, len(VARIANTS), len(METHOD_INFOS), "each")) as (drawn, axes):
         for row, variant in zip(axes, VARIANTS, strict=True):
             for ax, method in zip(row, METHOD_INFOS, strict=True):
                 ax.set_title(f"{method.title}, {variant}")
                 result = content.results.get((content.member, method.id, variant))
                 if result is None:
-                    _absent(ax)
+                    absent(ax)
                     continue
                 made = result.flanks[flank]
-                limit = max(float(np.abs(made.deviation_um).max()), 1e-6)
-                _map(drawn, ax, *flat(content, made.points), made.deviation_um, (-limit, limit), "µm", DIVERGING)
-        _name_axes(axes)
+                limit = rounded_up(max(float(np.abs(made.deviation_um).max()), _LEAST_UM))
+                unit, factor = length_unit(limit)
+                end = limit * factor
+                values = made.deviation_um * factor
+                shown = _map(ax, *flat(content, made.points), values, (-end, end), DIVERGING)
+                scale(drawn, ax, shown, unit, (-end, -end / 2, 0.0, end / 2, end))
+        name_axes(axes)
         return svg(drawn)
 
 
-def curvature_maps(content: Content, flank_name: FlankName) -> bytes:
-    """Gaussian curvature of theory and of the optimised variants, on one scale [1/mm²]."""
-    flank = flank_of(content.pair.member(content.member), flank_name)
+def curvature_maps(content: Content) -> bytes:
+    """Gaussian curvature of theory and of the optimised variants, a row for each flank with one scale."""
+    titles = ["Theory", *(method.title for method in METHOD_INFOS)]
+    with figure(Frame(3.1, len(FLANKS), len(titles), "row")) as (drawn, axes):
+        for row, name in zip(axes, FLANKS, strict=True):
+            found = _curvatures(content, name)
+            low, high = (float(np.quantile(found["Theory"].gaussian, share)) for share in (0.02, 0.98))
+            size = max(abs(low), abs(high), _LEAST_CURVATURE)
+            power = int(np.floor(np.log10(size)))
+            if high - low < 1e-3 * size:
+                low, high = low - 0.5 * size, high + 0.5 * size
+            unit = f"$10^{{{power}}}$/mm²"
+            limits = low / 10.0**power, high / 10.0**power
+            for ax, title in zip(row, titles, strict=True):
+                ax.set_title(title if name == FLANKS[0] else "")
+                if title not in found:
+                    absent(ax)
+                    continue
+                one = found[title]
+                shown = _map(ax, *flat(content, one.points), one.gaussian / 10.0**power, limits, SEQUENTIAL)
+            scale(drawn, row[-1], shown, unit, round_ticks(*limits))
+        name_axes(axes)
+        for ax, name in zip(axes[:, 0], FLANKS, strict=True):
+            ax.set_ylabel(f"{name}: above pitch cone [mm]")
+        return svg(drawn)
+
+
+def _curvatures(content: Content, name: FlankName) -> dict[str, CurvatureMap]:
+    flank = flank_of(content.pair.member(content.member), name)
     u = np.linspace(_FROM_BASE, 1.0, _CURVATURE_GRID[0])
     v = np.linspace(0.0, 1.0, _CURVATURE_GRID[1])
-    exact = theory_curvature(flank, u[:, None], v[None, :])
-    panels: list[tuple[str, Any]] = [("Theory", exact)]
+    found = {"Theory": theory_curvature(flank, u[:, None], v[None, :])}
     for method in METHOD_INFOS:
         result = content.results.get((content.member, method.id, "optimised"))
         if result is not None:
-            panels.append((method.title, surface_curvature(result.flanks[flank_name].surface, flank, u, v)))
-    limits = float(np.quantile(exact.gaussian, 0.02)), float(np.quantile(exact.gaussian, 0.98))
-    with figure(1.75, 1, len(panels), sharex=True, sharey=True) as (drawn, axes):
-        for ax, (title, found) in zip(axes[0], panels, strict=True):
-            ax.set_title(title)
-            _map(drawn, ax, *flat(content, found.points), found.gaussian, limits, "1/mm²", "viridis")
-        _name_axes(axes)
-        return svg(drawn)
+            found[method.title] = surface_curvature(result.flanks[name].surface, flank, u, v)
+    return found
 
 
-def topography(content: Content, method: str, variant: str) -> bytes:
-    """The measuring grid of both flanks drawn flat, a bar at each point as long as its deviation."""
-    result = next(r for key, r in content.results.items() if key == (content.member, method, variant))
-    measured = {name: _grid(content, name, result.flanks[name]) for name in FLANKS}
-    largest = max(float(np.abs(error).max()) for _, error in measured.values()) or 1.0
-    with figure(2.3, 1, 2, sharey=True) as (drawn, axes):
-        for ax, name in zip(axes[0], FLANKS, strict=True):
-            points, error = measured[name]
-            x, y = flat(content, points)
-            reach = 0.8 * float(np.ptp(y)) / (_MEASURING_GRID[0] - 1)
-            for lines in (zip(x, y, strict=True), zip(x.T, y.T, strict=True)):
-                for one_x, one_y in lines:
-                    ax.plot(one_x, one_y, color="#9aa3ad", lw=0.5)
-            tops = y + reach * error / largest
-            ax.vlines(x.ravel(), y.ravel(), tops.ravel(), color=SIDES[name], lw=1.4)
-            ax.plot(x.ravel(), tops.ravel(), ".", color=SIDES[name], ms=2)
-            ax.set_title(f"{name.capitalize()} flank; the longest bar is {largest:.3g} µm")
-            ax.grid(False)
-        _name_axes(axes)
+def topography(content: Content, method: str) -> bytes:
+    """The measuring grid of both flanks drawn flat, a row for each variant, a bar as long as the deviation."""
+    with figure(Frame(3.3, len(VARIANTS), len(FLANKS))) as (drawn, axes):
+        for row, variant in zip(axes, VARIANTS, strict=True):
+            result = content.results.get((content.member, method, variant))
+            if result is None:
+                for ax in row:
+                    ax.set_title(variant.capitalize())
+                    absent(ax)
+                continue
+            measured = {name: _grid(content, name, result.flanks[name]) for name in FLANKS}
+            largest = max(float(np.abs(error).max()) for _, error in measured.values())
+            for ax, name in zip(row, FLANKS, strict=True):
+                points, error = measured[name]
+                _bars(ax, *flat(content, points), error / (largest or 1.0), SIDES[name])
+                ax.set_title(f"{variant.capitalize()}, {name} flank: {_longest(largest)}")
+        name_axes(axes)
         return svg(drawn)
 
 
@@ -94,27 +118,53 @@ def _grid(content: Content, name: FlankName, made: FlankResult) -> tuple[Floats,
     return deviation_map(flank, made.surface, _MEASURING_GRID)
 
 
-def _map(
-    drawn: Any, ax: Any, x: Floats, y: Floats, values: Floats, limits: tuple[float, float], unit: str, colors: str
-) -> None:
-    shown = ax.pcolormesh(x, y, values, cmap=colors, vmin=limits[0], vmax=limits[1], shading="gouraud", rasterized=True)
-    if np.ptp(values) > 0:
-        ax.contour(x, y, values, 6, colors="#30343a", linewidths=0.3, alpha=0.7)
-    bar = drawn.colorbar(shown, ax=ax, pad=0.02, fraction=0.08, aspect=14)
-    bar.ax.set_title(unit, fontsize=6, loc="left")
-    bar.ax.tick_params(labelsize=6)
-    bar.formatter.set_powerlimits((-3, 4))
+def _bars(ax: Any, x: Floats, y: Floats, share: Floats, color: str) -> None:
+    from matplotlib.collections import LineCollection
+
+    tops = y + 0.8 * float(np.ptp(y)) / (_MEASURING_GRID[0] - 1) * share
+    grid = [np.column_stack(line) for a, b in ((x, y), (x.T, y.T)) for line in zip(a, b, strict=True)]
+    ax.add_collection(LineCollection(grid, colors="#9aa3ad", linewidths=0.5))
+    bars = np.stack((np.column_stack((x.ravel(), y.ravel())), np.column_stack((x.ravel(), tops.ravel()))), axis=1)
+    ax.add_collection(LineCollection(list(bars), colors=color, linewidths=1.4))
+    ax.plot(x.ravel(), tops.ravel(), ".", color=color, ms=2)
+    ax.autoscale_view()
     ax.grid(False)
 
 
-def _absent(ax: Any) -> None:
-    ax.text(0.5, 0.5, "not built", transform=ax.transAxes, ha="center", va="center")
+def _longest(value_um: float) -> str:
+    if value_um < _LEAST_UM:
+        return "no deviation here"
+    unit, factor = length_unit(value_um)
+    return f"the longest bar is {value_um * factor:.3g} {unit}"
 
 
-def _name_axes(axes: Any) -> None:
+def _map(ax: Any, x: Floats, y: Floats, values: Floats, limits: tuple[float, float], colors: str) -> Any:
+    low, high = limits
+    shown = ax.pcolormesh(x, y, values, cmap=colors, vmin=low, vmax=high, shading="gouraud", rasterized=True)
+    if np.ptp(values) > 1e-3 * (high - low):
+        lines = ax.contour(x, y, values, np.linspace(low, high, 7)[1:-1], colors="#30343a", linewidths=0.3, alpha=0.7)
+        if sum(len(line) for level in lines.allsegs for line in level) > _MOST_OF_LINES:
+            lines.remove()
+    ax.grid(False)
+    return shown
+
+
+def round_ticks(low: float, high: float) -> list[float]:
+    """Some round numbers between two ends."""
+    from matplotlib.ticker import MaxNLocator
+
+    return [float(f"{tick:.6g}") for tick in MaxNLocator(5).tick_values(low, high) if low <= tick <= high]
+
+
+def absent(ax: Any) -> None:
+    """Say that there is nothing to show."""
+    ax.text(0.5, 0.5, "not built", transform=ax.transAxes, ha="center", va="center", color="#60666e")
+    ax.grid(False)
+
+
+def name_axes(axes: Any) -> None:
+    """What the axes of flanks drawn flat mean."""
     for ax in axes[-1]:
         ax.set_xlabel("from toe to heel [mm]")
     for ax in axes[:, 0]:
         ax.set_ylabel("above pitch cone [mm]")
-    for ax in axes.ravel():
-        ax.set_aspect("auto")

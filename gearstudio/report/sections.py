@@ -26,6 +26,7 @@ SECTIONS = (
     Section("topography", "Topography", "The measuring grid with a bar at each point, both flanks"),
     Section("contact", "Tooth contact", "Contact pattern, ease-off and transmission error, drive and coast"),
     Section("convergence", "Convergence", "Largest deviation against poles and seconds of each method"),
+    Section("exports", "Exports", "What was written beside the project, and what was found on reading it back"),
     Section("equations", "Equations", "The formulas used, the paper's departures, and this design's numbers"),
 )
 SECTION_KEYS = tuple(section.key for section in SECTIONS)

@@ -69,6 +69,11 @@ class ReportDialog(QDialog):
         self.progress.setRange(0, 100)
         self.stage = QLabel()
         self.stage.setProperty("role", "muted")
+        self.stage.setWordWrap(True)
+        self.trouble = QLabel()
+        self.trouble.setProperty("severity", "warning")
+        self.trouble.setWordWrap(True)
+        self.trouble.hide()
         self.make = QPushButton(tr("&Update preview"))
         self.make.setToolTip(tr("Compute the report of the design as it is now"))
         self.stop = QPushButton(tr("&Stop"))
@@ -91,6 +96,7 @@ class ReportDialog(QDialog):
 
     def show_progress(self, stage: str, fraction: float) -> None:
         """The report is being made."""
+        self._warn("")
         self.stage.setText(stage[:1].upper() + stage[1:])
         self.progress.setValue(round(100 * fraction))
         self._busy(True)
@@ -103,11 +109,21 @@ class ReportDialog(QDialog):
         self._busy(False)
 
     def show_failure(self, text: str) -> None:
-        """The report could not be made; the last one stays."""
+        """The report could not be made, or not be saved; the last one stays, and the reason until it is made again."""
         if self._made is None:
             self.pages.say(text)
-        self.stage.setText(text)
+        self.stage.clear()
+        self._warn(text)
         self._busy(False)
+
+    def show_stale(self) -> None:
+        """The design is another one than that of the pages shown."""
+        if self._made is not None and not self.progress.isVisible():
+            self._warn(tr("Out of date: the design was changed after these pages were made. Update the preview."))
+
+    def _warn(self, text: str) -> None:
+        self.trouble.setText(text)
+        self.trouble.setVisible(bool(text))
 
     def reject(self) -> None:
         """Closing stops what is being made."""
@@ -142,7 +158,10 @@ class ReportDialog(QDialog):
         choices.addStretch(1)
         top = QHBoxLayout()
         top.addLayout(choices)
-        top.addWidget(self.pages, 1)
+        shown = QVBoxLayout()
+        shown.addWidget(self.trouble)
+        shown.addWidget(self.pages, 1)
+        top.addLayout(shown, 1)
         bottom = QHBoxLayout()
         bottom.addWidget(self.stage, 1)
         bottom.addWidget(self.progress)

@@ -5,11 +5,11 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from PySide6.QtCore import QBuffer, QObject
-from PySide6.QtGui import QImage
+from PySide6.QtCore import QObject
 
 from gearstudio.errors import FileError
 from ui.reporting.dialog import ReportDialog
+from ui.reporting.pictures import ReportPictures
 from ui.words import tr
 
 if TYPE_CHECKING:
@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from ui.main_window import MainWindow
     from ui.runner import JobRunner
     from ui.session import Session
+    from ui.solid_mode import SolidMode
 
 _PREVIEW_DPI = 80
 
@@ -25,9 +26,13 @@ _PREVIEW_DPI = 80
 class Reporting(QObject):
     """The report of a session's design."""
 
-    def __init__(self, session: Session, window: MainWindow, parent: QObject | None = None) -> None:
+    def __init__(self, session: Session, window: MainWindow, solid_mode: SolidMode, parent: QObject) -> None:
         super().__init__(parent)
         self._session, self._window = session, window
+        self._pictures = ReportPictures(session, window, solid_mode, self)
+        self._pictures.taken.connect(self._submit)
+        self._wanted: tuple[tuple[str, ...], Any] = ((), "wheel")
+        session.design_changed.connect(self._on_design_changed)
         self._runner: JobRunner | None = None
         self._job: ReportJob | None = None
         self.dialog: ReportDialog | None = None
@@ -58,20 +63,34 @@ class Reporting(QObject):
         """Have the report of the design as it is now made."""
         if self._runner is None or self.dialog is None:
             return
+        self._wanted = (sections, member)
+        if "pictures" in sections:
+            self.dialog.show_progress(tr("taking pictures of the views"), 0.0)
+            self._pictures.take()
+        else:
+            self._submit((), ())
+
+    def close(self) -> None:
+        """Give up what is being made."""
+        self._pictures.stop()
+
+    def _submit(self, pictures: tuple[tuple[str, bytes], ...], missing: tuple[str, ...]) -> None:
+        if self._runner is None or self.dialog is None:
+            return
         from gearstudio.report.job import ReportJob
 
-        pictures = self._pictures() if "pictures" in sections else ()
-        self._job = ReportJob(self._session.design, sections, member, pictures, _PREVIEW_DPI)
+        design, path = self._session.design, self._session.path
+        folder = None if path is None else path.parent
+        self._job = ReportJob(design, *self._wanted, pictures, _PREVIEW_DPI, folder, missing)
         self.dialog.show_progress(tr("waiting for the CAD process"), 0.0)
         self._runner.submit((self._job,))
 
-    def _pictures(self) -> tuple[tuple[str, bytes], ...]:
-        grid = self._window.area.grid
-        return (("views", png(grid.screenshot())),) if grid is not None and grid.isVisible() else ()
-
     def _cancel(self) -> None:
+        self._pictures.stop()
         if self._runner is not None and self._job is not None:
             self._runner.cancel()
+        elif self.dialog is not None:
+            self.dialog.show_failure(tr("Stopped"))
 
     def _save(self, path: Path, pdf: bytes) -> None:
         from gearstudio.files import write_bytes
@@ -94,9 +113,11 @@ class Reporting(QObject):
             self.dialog.show_progress(stage, fraction)
 
     def _on_done(self, job: Job, result: Any) -> None:
-        if job is self._job and self.dialog is not None:
-            self._job = None
+        if job is self._job and self._job is not None and self.dialog is not None:
+            made, self._job = self._job.design, None
             self.dialog.show_report(result)
+            if made != self._session.design:
+                self.dialog.show_stale()
 
     def _on_failed(self, job: Job, text: str, _details: str) -> None:
         if job is self._job and self.dialog is not None:
@@ -108,15 +129,12 @@ class Reporting(QObject):
             self._job = None
             self.dialog.show_failure(tr("Stopped"))
 
+    def _on_design_changed(self, _design: object) -> None:
+        if self.dialog is not None:
+            self.dialog.show_stale()
+
     def _on_closed(self) -> None:
+        self._pictures.stop()
         if self.dialog is not None:
             self.dialog.deleteLater()
         self.dialog = None
-
-
-def png(image: QImage) -> bytes:
-    """A picture as PNG."""
-    buffer = QBuffer()
-    buffer.open(QBuffer.OpenModeFlag.WriteOnly)
-    image.save(buffer, "PNG")  # type: ignore[call-overload]
-    return bytes(buffer.data().data())

@@ -1,0 +1,123 @@
+"""What was exported beside the project: the records that every export leaves, as a chapter."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass
+from pathlib import Path
+
+from gearstudio.checks import FaceCheck
+from gearstudio.design import Design
+from gearstudio.errors import FileError
+from gearstudio.exchange.record import SUFFIX, ExportRecord, checksum, read_record
+from gearstudio.exchange.verify import different_fields
+from gearstudio.files import read_bytes
+from gearstudio.report.blocks import Block, Table, Text, rows
+
+_MOST = 60
+_MOST_FIELDS = 4
+
+
+@dataclass(frozen=True)
+class Exported:
+    """A file that was exported.
+
+    Attributes
+    ----------
+    name, what, made, found : str
+        The file's name; what is in it; when and with what; what the kernel found on reading it back.
+    faces : tuple of FaceCheck
+        Of each kind of face the one farthest from theory.
+    remarks : tuple of str
+        What does not hold any more; empty when all is as it was written.
+    """
+
+    name: str
+    what: str
+    made: str
+    found: str
+    faces: tuple[FaceCheck, ...]
+    remarks: tuple[str, ...]
+
+
+def exports_in(folder: Path | None, design: Design) -> tuple[Exported, ...]:
+    """The exports that have a record in a folder, by name."""
+    if folder is None:
+        return ()
+    return tuple(_exported(path, design) for path in sorted(folder.glob(f"*{SUFFIX}"))[:_MOST])
+
+
+def chapter_blocks(found: tuple[Exported, ...], folder: Path | None) -> list[Block]:
+    """The chapter: of each file what it is, whether it still is so, and its faces."""
+    if folder is None:
+        return [Text("The design is not saved, so there is no folder in which exports could be.")]
+    if not found:
+        return [Text(f"There are no exports with a record in {folder}.")]
+    made: list[tuple[str, ...]] = []
+    remarks: list[Block] = []
+    for one in found:
+        made.append((f"{one.name}: {one.what}",))
+        made += [
+            (f"{face.member}, {face.title}", f"{face.largest_um:.4g}", f"{face.limit_um:.3g}",
+             "within" if face.good else "OUT OF LIMITS")
+            for face in one.faces
+        ]  # fmt: skip
+        remarks += [Text(f"{one.name}: {remark}.") for remark in one.remarks]
+    summary = Table(
+        ("File", "Read back", "Written"), rows([(one.name, one.found, one.made) for one in found]), "kll", (0.0, 1.0)
+    )
+    faces = Table(("Face farthest from theory", "Largest [µm]", "Limit [µm]", "Verdict"), rows(made), "lddl")
+    intro = "Every file was read back after it was written, and held against the exact geometry."
+    return [Text(intro), summary, *remarks, faces]
+
+
+def _exported(path: Path, design: Design) -> Exported:
+    try:
+        record = read_record(path)
+        data = json.loads(read_bytes(path))
+        check = data["check"]
+        faces = tuple(FaceCheck(**face) for face in check["deviations"])
+        words = _words(check)
+        made = f"{str(data['written'])[:16].replace('T', ' ')} by {data['program']}, {check['kernel']}"
+    except FileError as error:
+        return Exported(path.name, "", "", "", (), (error.reason,))
+    except (KeyError, TypeError, ValueError):
+        return Exported(path.name, "", "", "", (), ("the record does not say what was found",))
+    remarks = (*(f"{problem}" for problem in check.get("problems", ())), *_changes(record, design))
+    return Exported(record.path.name, _what(record), made, words, worst(faces), remarks)
+
+
+def worst(faces: tuple[FaceCheck, ...]) -> tuple[FaceCheck, ...]:
+    """Of each kind of face of each member the one farthest from theory."""
+    found: dict[tuple[str, str], FaceCheck] = {}
+    for face in faces:
+        key = face.member, face.name
+        if key not in found or face.largest_um > found[key].largest_um:
+            found[key] = face
+    return tuple(found.values())
+
+
+def _what(record: ExportRecord) -> str:
+    subject = record.subject
+    return f"{subject.member} {subject.part}, {subject.method.replace('_', ' ')}, {subject.variant}"
+
+
+def _words(check: dict[str, object]) -> str:
+    whole = "valid" if check["valid"] else "NOT VALID"
+    closed = ", closed" if check["closed"] else ""
+    return f"{check['solids']} solid(s), {check['faces']} faces, {whole}{closed}"
+
+
+def _changes(record: ExportRecord, design: Design) -> list[str]:
+    made = []
+    if not record.path.is_file():
+        made.append("the file is gone; its record is still there")
+    elif checksum(record.path) != record.checksum:
+        made.append("the file is not as it was written: its checksum is another")
+    fields = different_fields(record.design, design)
+    if fields:
+        more = f" and {len(fields) - _MOST_FIELDS} more" if len(fields) > _MOST_FIELDS else ""
+        made.append(
+            f"it was made of another state of the design: {', '.join(fields[:_MOST_FIELDS])}{more} changed since"
+        )
+    return made
