@@ -54,7 +54,7 @@ class Controller(QObject):
         self.blanks = Blanks(session, window.form, self)
         self.solid_mode = SolidMode(session, window, self.presenter, self)
         self.display = Display(session, window, self.presenter, self.solid_mode, self)
-        self.reporting = Reporting(session, window, self)
+        self.reporting = Reporting(session, window, self.solid_mode, self)
         self.help = HelpDesk(session, window)
         self.runner: JobRunner | None = None
         self._connect_form()
@@ -117,6 +117,7 @@ class Controller(QObject):
         self.builds.pause.cancel()
         self.presenter.close()
         self.solid_mode.close()
+        self.reporting.close()
         if self.runner is not None:
             self.runner.close()
 
