@@ -8,7 +8,7 @@ import statistics
 import sys
 from collections.abc import Iterator
 
-from benchmarks import animation, compare, contact, gear, peers, startup, window
+from benchmarks import animation, compare, contact, gear, peers, report, startup, window
 from benchmarks.measurement import Measurement, Remark
 
 RATIO, GAP_MS = 0.3, 50.0
@@ -36,6 +36,9 @@ def measurements() -> Iterator[Measurement | Remark]:
     yield Measurement(title, gear.ratios(peers.build_wheel), GEAR_RATIO)
     yield Measurement("growth of that time with the teeth, exponent", [gear.growth()], GROWTH, decimals=2)
     yield Measurement("STEP file of that wheel", [gear.file_megabytes()], MEGABYTES, unit="MB", decimals=2)
+
+    title = "report of the default design, all sections / py_gearworks"
+    yield Measurement(title, report.ratios(peers.build_wheel), report.TARGET, decimals=2)
 
     edits = window.measure()
     yield Measurement("an edit to all three views / py_gearworks", [e.seconds / unit for e in edits], RATIO)
