@@ -11,7 +11,7 @@ from PySide6.QtGui import QBrush, QColor, QFont, QFontMetrics
 from PySide6.QtWidgets import QAbstractItemView, QFrame, QHeaderView, QTableView, QVBoxLayout, QWidget
 
 from gearstudio.catalogue import METHOD_IDS, VARIANTS
-from ui.formatting import METHOD_TITLES, MINUS, VARIANT_TITLES, micrometres, seconds, settings_text, span
+from ui.formatting import METHOD_TITLES, MINUS, VARIANT_TITLES, micrometres, seconds, settings_text, shortcoming, span
 from ui.session import Key, Session
 from ui.tables import table_text
 from ui.theme import tokens
@@ -123,7 +123,9 @@ class ComparisonModel(QAbstractTableModel):
     def _tip(self, key: Key, column: int) -> str | None:
         if key in self._session.failures:
             return f"{told(self._session.failures[key].message)}\n{tr('Click to see it in the view.')}"
-        return self._text(key, column) if column == SETTINGS else None
+        result = self._session.results.get(key)
+        lines = [] if result is None else [shortcoming(key.method, result.settings)]
+        return "\n".join(filter(None, [*lines, self._text(key, column) if column == SETTINGS else ""])) or None
 
     def _brush(self, key: Key, column: int) -> QBrush | None:
         if column < FIRST:

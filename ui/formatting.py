@@ -86,6 +86,15 @@ def settings_text(settings: Mapping[str, Any]) -> str:
     return ", ".join(f"{tr(key.replace('_', ' '))} {_setting(value)}" for key, value in settings.items())
 
 
+def shortcoming(method: str, settings: Mapping[str, Any]) -> str:
+    """What a method could not follow, as a short sentence; empty where it models the flank that is wanted."""
+    if settings.get("modifications") == "left out":
+        return tr("{method}: modifications left out", method=tr(METHOD_TITLES[method]))
+    if settings.get("line") == "best fit":
+        return tr("{method}: the nearest flank that a rigid line sweeps", method=tr(METHOD_TITLES[method]))
+    return ""
+
+
 def _setting(value: Any) -> str:
     if isinstance(value, bool):
         return tr("yes") if value else tr("no")

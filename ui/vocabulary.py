@@ -60,5 +60,7 @@ SETTINGS = (
     noted("psi, trace"),
     noted("modifications"),
     noted("left out"),
+    noted("line"),
+    noted("best fit"),
 )
 """What a construction took, and its values."""

@@ -136,7 +136,7 @@ def _said(flank: Flank, built: Construction) -> Construction:
     if flank.swept is flank:
         return built
     word = BEST_LINE if isinstance(flank, ConjugateFlank) else WITHOUT_MODIFICATIONS
-    return replace(built, settings={**built.settings, **word}, instead=flank.swept)
+    return replace(built, settings={**word, **built.settings}, instead=flank.swept)
 
 
 def _roll(

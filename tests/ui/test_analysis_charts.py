@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QPointF
+from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QGuiApplication, QImage
 
 from gearstudio.analysis.curvature import theory_curvature
@@ -26,6 +26,7 @@ from ui.analysis.deviation_series import (
     histogram_chart,
 )
 from ui.charts.records import Axis, ChartData, Series, micrometre_tick, orders_apart
+from ui.comparison_table import FIRST, ComparisonModel
 from ui.session import Key, Session
 
 pytestmark = pytest.mark.ui
@@ -272,3 +273,18 @@ def test_a_study_is_made_job_by_job_and_drawn(qtbot, theme) -> None:
     page.show_session(session)
     assert not part.running and not page.chart.data.series
     page.close_page()
+
+
+def test_a_method_that_leaves_modifications_out_says_so_in_the_legend_and_the_table() -> None:
+    found = results({("rotating_line", "published"): 30.0, ("point_cloud", "published"): 5.0})
+    key = Key("wheel", "rotating_line", "published")
+    found[key] = replace(found[key], settings={"modifications": "left out", "positions": 5})
+    for chart in (deviation_chart(found, CHOICE), histogram_chart(found, CHOICE)):
+        texts = [entry.text for entry in chart.legend]
+        assert "Rotating line: modifications left out" in texts and "Point cloud" in texts
+    session = Session()
+    session.results.update(found)
+    model = ComparisonModel(session)
+    row = next(row for row in range(model.rowCount()) if model.key(row) == key)
+    tip = model.data(model.index(row, FIRST), Qt.ItemDataRole.ToolTipRole)
+    assert tip == "Rotating line: modifications left out"

@@ -21,7 +21,7 @@ from ui.charts.records import (
     orders_apart,
     plain,
 )
-from ui.formatting import METHOD_TITLES, VARIANT_TITLES
+from ui.formatting import METHOD_TITLES, VARIANT_TITLES, shortcoming
 from ui.session import Key
 from ui.words import inline, tr
 
@@ -177,9 +177,12 @@ def _paper_words() -> str:
 
 
 def _legend(found: Mapping[Key, VariantResult]) -> tuple[Entry, ...]:
-    methods = dict.fromkeys(key.method for key in found)
+    methods = {
+        key.method: shortcoming(key.method, result.settings) or tr(METHOD_TITLES[key.method])
+        for key, result in found.items()
+    }
     variants = [variant for variant in VARIANTS if any(key.variant == variant for key in found)]
     return (
-        *(Entry(tr(METHOD_TITLES[method]), method) for method in methods),
+        *(Entry(text, method) for method, text in methods.items()),
         *(Entry(inline(VARIANT_TITLES[variant]), "muted", STROKES[variant]) for variant in variants),
     )
