@@ -29,6 +29,7 @@ _TITLE = re.compile(r"^[✓✗]? ?&?[A-Z][a-z&]|[A-Za-z]{2,} [A-Za-z(“]")
 _NO_TITLE = re.compile(r"^(Ctrl|Shift|Alt)\+|;;.*\*|^[\w.]*_[\w.]*$|Keys\.|::|^[A-Z][a-z]+[A-Z]\w+$|^\w+ \{")
 _SENTENCE = re.compile(r"[a-z]{2,}[,;:]? +\{?[a-z(]|^[a-z]+ \{0\}")
 _NO_SENTENCE = re.compile(r"[\\<>\n]|^%|\d+ of theory \[|=\s*\{0\}$|^[^a-z]*$")
+_NAME = re.compile(r"\{[a-z_]+\}")
 _MORE_SENTENCES = {"{0}: {1} failed: {2}"}
 """Of errors that are put together with few words."""
 
@@ -167,7 +168,7 @@ def template(node: ast.AST) -> str | None:
 
 def _parts(node: ast.AST) -> list[str | None] | None:
     if isinstance(node, ast.Constant):
-        return [node.value] if isinstance(node.value, str) else None
+        return _named(node.value) if isinstance(node.value, str) else None
     if isinstance(node, ast.JoinedStr):
         return [str(v.value) if isinstance(v, ast.Constant) else None for v in node.values]
     if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add):
@@ -175,6 +176,14 @@ def _parts(node: ast.AST) -> list[str | None] | None:
         if left is not None and right is not None:
             return left + right
     return None
+
+
+def _named(text: str) -> list[str | None]:
+    """A text with holes such as ``{name}``, which are filled in later."""
+    parts: list[str | None] = []
+    for number, part in enumerate(_NAME.split(text)):
+        parts += [None, part] if number else [part]
+    return parts
 
 
 def _holes(node: ast.AST) -> Iterator[ast.AST]:

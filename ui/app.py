@@ -19,9 +19,11 @@ from ui.diagnostics import CrashCatcher, log_path, log_tail, note_fact, start_lo
 from ui.files import Files
 from ui.graphics import MODES, advice, graphics_mode, prepare, probe
 from ui.habits import Habits
+from ui.language import chosen_language, install
 from ui.loading import Loader
 from ui.main_window import MainWindow
 from ui.messages import ReportDialog
+from ui.preferences import LANGUAGES
 from ui.projects.desk import Desk, data_folder
 from ui.session import Session
 from ui.settings_file import open_settings, reset_settings
@@ -224,6 +226,8 @@ def main(argv: Sequence[str] | None = None) -> int:
     parser.add_argument("design", nargs="?", help="design file (.gear.toml), or preset:KEY")
     parser.add_argument("--demo", type=Path, metavar="DIR", help="save a picture of the window in DIR and leave")
     parser.add_argument("--graphics", choices=MODES, help="what draws the 3D views: software needs no graphics card")
+    languages = [code for code, _ in LANGUAGES if code]
+    parser.add_argument("--language", choices=languages, help="language of this window, whatever the preferences say")
     parser.add_argument("--reset-settings", action="store_true", help="forget layout, lists and preferences and leave")
     options = parser.parse_args(arguments)
     if options.reset_settings:
@@ -234,6 +238,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     mode = graphics_mode(opened.settings, options.graphics)
     prepare(mode)
     application = make_application(sys.argv)
+    install(application, chosen_language(opened.settings, options.language))
     start_logging()
     theme = Theme(application)
     if options.demo is not None:

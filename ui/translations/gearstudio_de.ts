@@ -5,3567 +5,3619 @@
   <name>GearStudio</name>
   <message>
    <source> (+ {count} beside)</source>
-   <translation type="unfinished" />
+   <translation> (+ {count} daneben)</translation>
   </message>
   <message>
    <source> and </source>
-   <translation type="unfinished" />
+   <translation> und </translation>
   </message>
   <message>
    <source> and {count} more</source>
-   <translation type="unfinished" />
+   <translation> und {count} weitere</translation>
   </message>
   <message>
    <source> or </source>
-   <translation type="unfinished" />
+   <translation> oder </translation>
   </message>
   <message>
    <source>&amp;About GearStudio</source>
-   <translation type="unfinished" />
+   <translation>&amp;Über GearStudio</translation>
   </message>
   <message>
    <source>&amp;Backups…</source>
-   <translation type="unfinished" />
+   <translation>S&amp;icherungen…</translation>
   </message>
   <message>
    <source>&amp;Cancel</source>
-   <translation type="unfinished" />
+   <translation>A&amp;bbrechen</translation>
   </message>
   <message>
    <source>&amp;Clear the list</source>
-   <translation type="unfinished" />
+   <translation>Liste &amp;leeren</translation>
   </message>
   <message>
    <source>&amp;Copy</source>
-   <translation type="unfinished" />
+   <translation>&amp;Kopieren</translation>
   </message>
   <message>
    <source>&amp;Differences only</source>
-   <translation type="unfinished" />
+   <translation>Nur &amp;Unterschiede</translation>
   </message>
   <message>
    <source>&amp;Discard recovered</source>
-   <translation type="unfinished" />
+   <translation>&amp;Wiederhergestelltes verwerfen</translation>
   </message>
   <message>
    <source>&amp;Display panel</source>
-   <translation type="unfinished" />
+   <translation>&amp;Darstellung</translation>
   </message>
   <message>
    <source>&amp;Edit</source>
-   <translation type="unfinished" />
+   <translation>&amp;Bearbeiten</translation>
   </message>
   <message>
    <source>&amp;Equations</source>
-   <translation type="unfinished" />
+   <translation>&amp;Gleichungen</translation>
   </message>
   <message>
    <source>&amp;Export…</source>
-   <translation type="unfinished" />
+   <translation>&amp;Exportieren…</translation>
   </message>
   <message>
    <source>&amp;File</source>
-   <translation type="unfinished" />
+   <translation>&amp;Datei</translation>
   </message>
   <message>
    <source>&amp;Film…</source>
-   <translation type="unfinished" />
+   <translation>Fil&amp;m…</translation>
   </message>
   <message>
    <source>&amp;Find a parameter</source>
-   <translation type="unfinished" />
+   <translation>Parameter &amp;finden</translation>
   </message>
   <message>
    <source>&amp;Full screen</source>
-   <translation type="unfinished" />
+   <translation>&amp;Vollbild</translation>
   </message>
   <message>
    <source>&amp;Generating line on</source>
-   <translation type="unfinished" />
+   <translation>&amp;Erzeugende auf</translation>
   </message>
   <message>
    <source>&amp;Go back to this one</source>
-   <translation type="unfinished" />
+   <translation>&amp;Zu diesem zurückkehren</translation>
   </message>
   <message>
    <source>&amp;Guide</source>
-   <translation type="unfinished" />
+   <translation>&amp;Anleitung</translation>
   </message>
   <message>
    <source>&amp;Help</source>
-   <translation type="unfinished" />
+   <translation>&amp;Hilfe</translation>
   </message>
   <message>
    <source>&amp;Keys…</source>
-   <translation type="unfinished" />
+   <translation>&amp;Tasten…</translation>
   </message>
   <message>
    <source>&amp;Layers</source>
-   <translation type="unfinished" />
+   <translation>&amp;Ebenen</translation>
   </message>
   <message>
    <source>&amp;Model</source>
-   <translation type="unfinished" />
+   <translation>&amp;Modell</translation>
   </message>
   <message>
    <source>&amp;New</source>
-   <translation type="unfinished" />
+   <translation>&amp;Neu</translation>
   </message>
   <message>
    <source>&amp;Open design…</source>
-   <translation type="unfinished" />
+   <translation>Entwurf &amp;öffnen…</translation>
   </message>
   <message>
    <source>&amp;Open…</source>
-   <translation type="unfinished" />
+   <translation>Ö&amp;ffnen…</translation>
   </message>
   <message>
    <source>&amp;Panels</source>
-   <translation type="unfinished" />
+   <translation>&amp;Tafeln</translation>
   </message>
   <message>
    <source>&amp;Preferences…</source>
-   <translation type="unfinished" />
+   <translation>&amp;Einstellungen…</translation>
   </message>
   <message>
    <source>&amp;Quit</source>
-   <translation type="unfinished" />
+   <translation>&amp;Beenden</translation>
   </message>
   <message>
    <source>&amp;Rebuild</source>
-   <translation type="unfinished" />
+   <translation>&amp;Neu aufbauen</translation>
   </message>
   <message>
    <source>&amp;Redo</source>
-   <translation type="unfinished" />
+   <translation>&amp;Wiederholen</translation>
   </message>
   <message>
    <source>&amp;Report…</source>
-   <translation type="unfinished" />
+   <translation>&amp;Bericht…</translation>
   </message>
   <message>
    <source>&amp;Reset layout</source>
-   <translation type="unfinished" />
+   <translation>&amp;Anordnung zurücksetzen</translation>
   </message>
   <message>
    <source>&amp;Reset settings…</source>
-   <translation type="unfinished" />
+   <translation>Einste&amp;llungen zurücksetzen…</translation>
   </message>
   <message>
    <source>&amp;Samples</source>
-   <translation type="unfinished" />
+   <translation>&amp;Beispiele</translation>
   </message>
   <message>
    <source>&amp;Save</source>
-   <translation type="unfinished" />
+   <translation>&amp;Speichern</translation>
   </message>
   <message>
    <source>&amp;Save PDF…</source>
-   <translation type="unfinished" />
+   <translation>PDF &amp;speichern…</translation>
   </message>
   <message>
    <source>&amp;Stop</source>
-   <translation type="unfinished" />
+   <translation>&amp;Anhalten</translation>
   </message>
   <message>
    <source>&amp;Theme</source>
-   <translation type="unfinished" />
+   <translation>&amp;Farbschema</translation>
   </message>
   <message>
    <source>&amp;Undo</source>
-   <translation type="unfinished" />
+   <translation>&amp;Rückgängig</translation>
   </message>
   <message>
    <source>&amp;Undock</source>
-   <translation type="unfinished" />
+   <translation>&amp;Ablösen</translation>
   </message>
   <message>
    <source>&amp;Update preview</source>
-   <translation type="unfinished" />
+   <translation>&amp;Vorschau erneuern</translation>
   </message>
   <message>
    <source>&amp;View</source>
-   <translation type="unfinished" />
+   <translation>&amp;Ansicht</translation>
   </message>
   <message>
    <source>&amp;What is this?</source>
-   <translation type="unfinished" />
+   <translation>&amp;Was ist das?</translation>
   </message>
   <message>
    <source>1 problem</source>
-   <translation type="unfinished" />
+   <translation>1 Problem</translation>
   </message>
   <message>
    <source>1 warning</source>
-   <translation type="unfinished" />
+   <translation>1 Warnung</translation>
+  </message>
+  <message>
+   <source>10/41 teeth with an offset of 38.1 mm, nearly a third of the wheel's radius</source>
+   <translation>10/41 Zähne, Achsversatz 38,1 mm, fast ein Drittel des Radradius</translation>
+  </message>
+  <message>
+   <source>11/41 teeth with an offset of 25.4 mm: a rear axle whose pinion lies below the wheel's axis</source>
+   <translation>11/41 Zähne, Achsversatz 25,4 mm: Hinterachse, deren Ritzel unter der Radachse liegt</translation>
+  </message>
+  <message>
+   <source>13/37 teeth with an offset of 15 mm and shafts at 80°</source>
+   <translation>13/37 Zähne, Achsversatz 15 mm, Achsenwinkel 80°</translation>
+  </message>
+  <message>
+   <source>13/42 teeth with an offset of −10 mm: the pinion's spiral angle is the smaller one, and its cone the slimmer</source>
+   <translation>13/42 Zähne, Achsversatz −10 mm: das Ritzel hat den kleineren Spiralwinkel und den schlankeren Kegel</translation>
   </message>
   <message>
    <source>14/35 teeth at 110°: a nearly flat wheel, and the same spiral angle everywhere on the face</source>
-   <translation type="unfinished" />
+   <translation>14/35 Zähne bei 110°: ein fast flaches Rad, überall auf der Breite derselbe Spiralwinkel</translation>
+  </message>
+  <message>
+   <source>14/39 teeth after ISO 23509: the same depth from toe to heel, for gears that one cutter head finishes</source>
+   <translation>14/39 Zähne nach ISO 23509: gleiche Höhe von Zehe bis Ferse, für Räder, die ein Messerkopf fertigt</translation>
   </message>
   <message>
    <source>15/45 teeth, 28° spiral everywhere, sphere ends as in the paper</source>
-   <translation type="unfinished" />
+   <translation>15/45 Zähne, überall 28° Spirale, Zahnenden auf Kugeln wie in der Arbeit</translation>
   </message>
   <message>
    <source>16/32 teeth without spiral: teeth on straight lines to the apex, long and short addendum</source>
-   <translation type="unfinished" />
+   <translation>16/32 Zähne ohne Spirale: Zähne auf Geraden zur Spitze, ungleiche Kopfhöhen</translation>
   </message>
   <message>
    <source>17/40 teeth at 90° with a cutter arc of 80 mm and 35° spiral; the pinion's root lies inside its base cone</source>
-   <translation type="unfinished" />
+   <translation>17/40 Zähne bei 90°, Messerkreisradius 80 mm, 35° Spirale; der Fuß des Ritzels liegt im Grundkegel</translation>
   </message>
   <message>
    <source>18/27 teeth at 45°: slender cones, long cone distance</source>
-   <translation type="unfinished" />
+   <translation>18/27 Zähne bei 45°: schlanke Kegel, große Kegellänge</translation>
   </message>
   <message>
    <source>19/43 teeth of module 20 mm, outer cone distance near half a metre</source>
-   <translation type="unfinished" />
+   <translation>19/43 Zähne mit Modul 20 mm, äußere Teilkegellänge fast ein halber Meter</translation>
   </message>
   <message>
    <source>20/60 teeth of module 0.5 mm</source>
-   <translation type="unfinished" />
+   <translation>20/60 Zähne mit Modul 0,5 mm</translation>
   </message>
   <message>
    <source>25/50 teeth curved by the cutter, but with no spiral angle at the mean point; shaft angle 75°</source>
-   <translation type="unfinished" />
+   <translation>25/50 Zähne, vom Messerkopf gekrümmt, aber im Mittelpunkt ohne Spiralwinkel; Achsenwinkel 75°</translation>
   </message>
   <message>
    <source>3D</source>
-   <translation type="unfinished" />
+   <translation>3D</translation>
   </message>
   <message>
    <source>3D views drawn by</source>
-   <translation type="unfinished" />
+   <translation>3D-Ansichten durch</translation>
   </message>
   <message>
    <source>3MF unit</source>
-   <translation type="unfinished" />
+   <translation>3MF-Einheit</translation>
   </message>
   <message>
    <source>7 × 7 points inside the flank: root to tip, then on towards the heel</source>
-   <translation type="unfinished" />
+   <translation>7 × 7 Punkte in der Flanke: vom Fuß zum Kopf, dann weiter zur Ferse</translation>
+  </message>
+  <message>
+   <source>9/37 teeth on a wheel of 420 mm with an offset of 40 mm; teeth of a tapering depth with a tilted root line</source>
+   <translation>9/37 Zähne, Rad 420 mm, Achsversatz 40 mm; sich verjüngende Zähne mit geneigter Fußlinie</translation>
   </message>
   <message>
    <source>: not measured</source>
-   <translation type="unfinished" />
+   <translation>: nicht gemessen</translation>
   </message>
   <message>
    <source>; equation {printed} of the paper</source>
-   <translation type="unfinished" />
+   <translation>; Gleichung {printed} der Arbeit</translation>
   </message>
   <message>
    <source>A NURBS surface through discrete points on U and V lines</source>
-   <translation type="unfinished" />
+   <translation>Eine NURBS-Fläche durch einzelne Punkte auf U- und V-Linien</translation>
   </message>
   <message>
    <source>A circle on the sphere, tangent to root and flank (or to the meridian below the base cone); it scales with ρ.</source>
-   <translation type="unfinished" />
+   <translation>Ein Kreis auf der Kugel, tangential an Fuß und Flanke (unter dem Grundkegel an den Meridian); er wächst mit ρ.</translation>
   </message>
   <message>
    <source>A click shows this method and variant; Ctrl+C copies the rows chosen</source>
-   <translation type="unfinished" />
+   <translation>Ein Klick zeigt Methode und Variante; Strg+C kopiert die gewählten Zeilen</translation>
   </message>
   <message>
    <source>A few letters are enough; Up and Down choose, Enter carries out</source>
-   <translation type="unfinished" />
+   <translation>Wenige Buchstaben genügen; Auf und Ab wählen, Enter führt aus</translation>
   </message>
   <message>
    <source>A mark shows where the paper prints something else</source>
-   <translation type="unfinished" />
+   <translation>Eine Marke zeigt, wo in der Arbeit etwas anderes steht</translation>
   </message>
   <message>
    <source>A misprint under the root: the spherical right triangle gives cos²δ.</source>
-   <translation type="unfinished" />
+   <translation>Druckfehler unter der Wurzel: das rechtwinklige Kugeldreieck gibt cos²δ.</translation>
   </message>
   <message>
    <source>A new language is complete after the next start.</source>
-   <translation type="unfinished" />
+   <translation>Eine neue Sprache gilt ab dem nächsten Start.</translation>
   </message>
   <message>
    <source>A number above 0, at most {most:g} kg/m³</source>
-   <translation type="unfinished" />
+   <translation>Eine Zahl über 0, höchstens {most:g} kg/m³</translation>
   </message>
   <message>
    <source>A part of GearStudio could not be loaded: {text}</source>
-   <translation type="unfinished" />
+   <translation>Ein Teil von GearStudio konnte nicht geladen werden: {text}</translation>
   </message>
   <message>
    <source>A ratio that changes with n cannot be the count of points.</source>
-   <translation type="unfinished" />
+   <translation>Ein Verhältnis, das sich mit n ändert, kann nicht die Punktzahl sein.</translation>
   </message>
   <message>
    <source>A rear-axle ratio with few pinion teeth: strong profile shift, constant clearance, a little backlash</source>
-   <translation type="unfinished" />
+   <translation>Hinterachsübersetzung mit kleiner Ritzelzähnezahl: starke Profilverschiebung, gleichbleibendes Kopfspiel, etwas Flankenspiel</translation>
   </message>
   <message>
    <source>A round length; in perspective, of what is in the middle</source>
-   <translation type="unfinished" />
+   <translation>Eine runde Länge; in Perspektive gilt sie in der Mitte</translation>
   </message>
   <message>
    <source>A turned copy is the same flank of another tooth.</source>
-   <translation type="unfinished" />
+   <translation>Eine gedrehte Kopie ist dieselbe Flanke eines anderen Zahns.</translation>
   </message>
   <message>
    <source>A value with another unit can always be typed: 3in, 76.2mm. Deviations stay in µm and nm.</source>
-   <translation type="unfinished" />
+   <translation>Ein Wert mit anderer Einheit geht immer: 3in, 76,2mm. Abweichungen bleiben in µm und nm.</translation>
   </message>
   <message>
    <source>AP203</source>
-   <translation type="unfinished" />
+   <translation>AP203</translation>
   </message>
   <message>
    <source>AP214</source>
-   <translation type="unfinished" />
+   <translation>AP214</translation>
   </message>
   <message>
    <source>AP242</source>
-   <translation type="unfinished" />
+   <translation>AP242</translation>
   </message>
   <message>
    <source>AP242 is today's; AP214 and AP203 are for older programs</source>
-   <translation type="unfinished" />
+   <translation>AP242 ist das heutige; AP214 und AP203 sind für ältere Programme</translation>
   </message>
   <message>
    <source>About GearStudio</source>
-   <translation type="unfinished" />
+   <translation>Über GearStudio</translation>
   </message>
   <message>
    <source>About an axis through the centre of mass, square to the gear's axis</source>
-   <translation type="unfinished" />
+   <translation>Um eine Achse durch den Schwerpunkt, rechtwinklig zur Radachse</translation>
   </message>
   <message>
    <source>About the gear's axis</source>
-   <translation type="unfinished" />
+   <translation>Um die Radachse</translation>
   </message>
   <message>
    <source>Above this the CAD process is replaced when it is at rest; 0 for no limit</source>
-   <translation type="unfinished" />
+   <translation>Darüber wird der CAD-Prozess in Ruhe ersetzt; 0 heißt unbegrenzt</translation>
   </message>
   <message>
    <source>Acute shafts</source>
-   <translation type="unfinished" />
+   <translation>Spitzer Achsenwinkel</translation>
   </message>
   <message>
    <source>Addendum angle</source>
-   <translation type="unfinished" />
+   <translation>Kopfwinkel</translation>
   </message>
   <message>
    <source>Addendum at the heel over outer module, before profile shift.</source>
-   <translation type="unfinished" />
+   <translation>Kopfhöhe an der Ferse durch Außenmodul, vor der Profilverschiebung.</translation>
   </message>
   <message>
    <source>Addendum factor</source>
-   <translation type="unfinished" />
+   <translation>Kopfhöhenfaktor</translation>
   </message>
   <message>
    <source>Addendum, heel</source>
-   <translation type="unfinished" />
+   <translation>Kopfhöhe, Ferse</translation>
   </message>
   <message>
    <source>After a crash, edits since the last copy are lost</source>
-   <translation type="unfinished" />
+   <translation>Nach einem Absturz fehlen die Änderungen seit der letzten Kopie</translation>
   </message>
   <message>
    <source>Against the effort</source>
-   <translation type="unfinished" />
+   <translation>Über dem Aufwand</translation>
   </message>
   <message>
    <source>All can be told apart by colour-blind eyes</source>
-   <translation type="unfinished" />
+   <translation>Alle sind auch bei Farbfehlsichtigkeit unterscheidbar</translation>
   </message>
   <message>
    <source>All files</source>
-   <translation type="unfinished" />
+   <translation>Alle Dateien</translation>
   </message>
   <message>
    <source>All methods and variants in a table</source>
-   <translation type="unfinished" />
+   <translation>Alle Methoden und Varianten in einer Tabelle</translation>
   </message>
   <message>
    <source>All parameters are good</source>
-   <translation type="unfinished" />
+   <translation>Alle Parameter sind gut</translation>
   </message>
   <message>
    <source>All points</source>
-   <translation type="unfinished" />
+   <translation>Alle Punkte</translation>
   </message>
   <message>
    <source>All points of the generating line share the azimuth a of the line of contact: the plane is a rigid body.</source>
-   <translation type="unfinished" />
+   <translation>Alle Punkte der Erzeugenden haben das Azimut a der Berührlinie: die Ebene ist starr.</translation>
   </message>
   <message>
    <source>All teeth</source>
-   <translation type="unfinished" />
+   <translation>Alle Zähne</translation>
   </message>
   <message>
    <source>All three</source>
-   <translation type="unfinished" />
+   <translation>Alle drei</translation>
   </message>
   <message>
    <source>Along the face</source>
-   <translation type="unfinished" />
+   <translation>Entlang der Breite</translation>
   </message>
   <message>
    <source>Along the face, at half the depth of the flank</source>
-   <translation type="unfinished" />
+   <translation>Entlang der Breite, in halber Flankenhöhe</translation>
   </message>
   <message>
    <source>Along the profile</source>
-   <translation type="unfinished" />
+   <translation>Entlang des Profils</translation>
   </message>
   <message>
    <source>Along the profile, at the middle of the face</source>
-   <translation type="unfinished" />
+   <translation>Entlang des Profils, in der Mitte der Breite</translation>
   </message>
   <message>
    <source>Aluminium</source>
-   <translation type="unfinished" />
+   <translation>Aluminium</translation>
   </message>
   <message>
    <source>Analysis</source>
-   <translation type="unfinished" />
+   <translation>Auswertung</translation>
   </message>
   <message>
    <source>Angle at most</source>
-   <translation type="unfinished" />
+   <translation>Winkel höchstens</translation>
   </message>
   <message>
    <source>Angle between pitch and base element</source>
-   <translation type="unfinished" />
+   <translation>Winkel zwischen Teil- und Grundkegellinie</translation>
   </message>
   <message>
    <source>Angle between the two axes; both pitch cones must stay below 90°.</source>
-   <translation type="unfinished" />
+   <translation>Winkel zwischen den Achsen; beide Teilkegel müssen unter 90° bleiben.</translation>
   </message>
   <message>
    <source>Apex at the origin, axis along +z, teeth at z &gt; 0.</source>
-   <translation type="unfinished" />
+   <translation>Spitze im Ursprung, Achse entlang +z, Zähne bei z &gt; 0.</translation>
   </message>
   <message>
    <source>Archimedean miter pair</source>
-   <translation type="unfinished" />
+   <translation>Archimedisches Gehrungspaar</translation>
   </message>
   <message>
    <source>Archimedean spiral</source>
-   <translation type="unfinished" />
+   <translation>Archimedische Spirale</translation>
   </message>
   <message>
    <source>Archimedean: the paper's spiral on the base cone. Circular arc: the cutter's path. Logarithmic: the same spiral angle everywhere.</source>
-   <translation type="unfinished" />
+   <translation>Archimedisch: die Spirale der Arbeit auf dem Grundkegel. Kreisbogen: die Bahn des Messerkopfs. Logarithmisch: überall derselbe Spiralwinkel.</translation>
   </message>
   <message>
    <source>Arcs of the tip and root circles between the flanks.</source>
-   <translation type="unfinished" />
+   <translation>Bögen der Kopf- und Fußkreise zwischen den Flanken.</translation>
   </message>
   <message>
    <source>Area</source>
-   <translation type="unfinished" />
+   <translation>Fläche</translation>
   </message>
   <message>
    <source>Arrows along the normals of the CAD flanks</source>
-   <translation type="unfinished" />
+   <translation>Pfeile entlang der Normalen der CAD-Flanken</translation>
   </message>
   <message>
    <source>As an azimuth on the pitch cone, with profile shift x and transverse backlash j_t.</source>
-   <translation type="unfinished" />
+   <translation>Als Azimut auf dem Teilkegel, mit Profilverschiebung x und Verdrehflankenspiel j_t.</translation>
   </message>
   <message>
    <source>As it is</source>
-   <translation type="unfinished" />
+   <translation>Wie sie ist</translation>
   </message>
   <message>
    <source>As made</source>
-   <translation type="unfinished" />
+   <translation>Wie gemacht</translation>
   </message>
   <message>
    <source>As the paper has it, or refined until it meets the tolerance</source>
-   <translation type="unfinished" />
+   <translation>Wie in der Arbeit, oder verfeinert bis zur Toleranz</translation>
   </message>
   <message>
    <source>As the system</source>
-   <translation type="unfinished" />
+   <translation>Wie das System</translation>
   </message>
   <message>
    <source>As the theme</source>
-   <translation type="unfinished" />
+   <translation>Wie das Schema</translation>
   </message>
   <message>
    <source>As {format}</source>
-   <translation type="unfinished" />
+   <translation>Als {format}</translation>
   </message>
   <message>
    <source>Assembled from its faces</source>
-   <translation type="unfinished" />
+   <translation>Aus Flächen zusammengesetzt</translation>
   </message>
   <message>
    <source>Assign</source>
-   <translation type="unfinished" />
+   <translation>Zuweisen</translation>
   </message>
   <message>
    <source>Auto</source>
-   <translation type="unfinished" />
+   <translation>Auto</translation>
   </message>
   <message>
    <source>Automatic</source>
-   <translation type="unfinished" />
+   <translation>Automatisch</translation>
   </message>
   <message>
    <source>Automatic range</source>
-   <translation type="unfinished" />
+   <translation>Automatischer Bereich</translation>
   </message>
   <message>
    <source>Automotive 9/41</source>
-   <translation type="unfinished" />
+   <translation>Fahrzeugachse 9/41</translation>
   </message>
   <message>
    <source>Axes</source>
-   <translation type="unfinished" />
+   <translation>Achsen</translation>
   </message>
   <message>
    <source>Axial</source>
-   <translation type="unfinished" />
+   <translation>Axial</translation>
   </message>
   <message>
    <source>Axial face width</source>
-   <translation type="unfinished" />
+   <translation>Axiale Zahnbreite</translation>
   </message>
   <message>
    <source>Axial section of the blank; double-click to enlarge</source>
-   <translation type="unfinished" />
+   <translation>Achsschnitt des Radkörpers; Doppelklick vergrößert</translation>
   </message>
   <message>
    <source>Axis of the section</source>
-   <translation type="unfinished" />
+   <translation>Achse des Schnitts</translation>
   </message>
   <message>
    <source>Azimuth</source>
-   <translation type="unfinished" />
+   <translation>Azimut</translation>
   </message>
   <message>
    <source>Azimuth, from where it started, of a point of the plane that rolls on the base cone without slip.</source>
-   <translation type="unfinished" />
+   <translation>Azimut eines Punkts der Ebene, die ohne Gleiten auf dem Grundkegel rollt, vom Startort aus.</translation>
   </message>
   <message>
    <source>BREP as</source>
-   <translation type="unfinished" />
+   <translation>BREP als</translation>
   </message>
   <message>
    <source>Back</source>
-   <translation type="unfinished" />
+   <translation>Hinten</translation>
   </message>
   <message>
    <source>Back by a twelfth of a tooth</source>
-   <translation type="unfinished" />
+   <translation>Um eine Zwölftelteilung zurück</translation>
   </message>
   <message>
    <source>Back cone: as blanks are turned. Sphere: as in the paper.</source>
-   <translation type="unfinished" />
+   <translation>Rückenkegel: wie Radkörper gedreht werden. Kugel: wie in der Arbeit.</translation>
   </message>
   <message>
    <source>Back cones</source>
-   <translation type="unfinished" />
+   <translation>Rückenkegel</translation>
   </message>
   <message>
    <source>Background of the views</source>
-   <translation type="unfinished" />
+   <translation>Hintergrund der Ansichten</translation>
   </message>
   <message>
    <source>Backlash</source>
-   <translation type="unfinished" />
+   <translation>Flankenspiel</translation>
   </message>
   <message>
    <source>Backups</source>
-   <translation type="unfinished" />
+   <translation>Sicherungen</translation>
   </message>
   <message>
    <source>Base angle</source>
-   <translation type="unfinished" />
+   <translation>Grundkegelwinkel</translation>
   </message>
   <message>
    <source>Base cone</source>
-   <translation type="unfinished" />
+   <translation>Grundkegel</translation>
   </message>
   <message>
    <source>Base cone angle</source>
-   <translation type="unfinished" />
+   <translation>Winkel des Grundkegels</translation>
   </message>
   <message>
    <source>Base cone spiral</source>
-   <translation type="unfinished" />
+   <translation>Spirale auf dem Grundkegel</translation>
   </message>
   <message>
    <source>Base radius</source>
-   <translation type="unfinished" />
+   <translation>Grundradius</translation>
   </message>
   <message>
    <source>Base radius, heel</source>
-   <translation type="unfinished" />
+   <translation>Grundradius, Ferse</translation>
   </message>
   <message>
    <source>Base-cone spiral</source>
-   <translation type="unfinished" />
+   <translation>Grundkegelspirale</translation>
   </message>
   <message>
    <source>Best fit</source>
-   <translation type="unfinished" />
+   <translation>Beste Einpassung</translation>
   </message>
   <message>
    <source>Between normals</source>
-   <translation type="unfinished" />
+   <translation>Zwischen Normalen</translation>
+  </message>
+  <message>
+   <source>Bevel pair of uniform depth</source>
+   <translation>Kegelradpaar mit gleich hohen Zähnen</translation>
   </message>
   <message>
    <source>Bias</source>
-   <translation type="unfinished" />
+   <translation>Verwindung</translation>
   </message>
   <message>
    <source>Binary is five times smaller, text can be read</source>
-   <translation type="unfinished" />
+   <translation>Binär ist fünfmal kleiner, Text ist lesbar</translation>
   </message>
   <message>
    <source>Binary is smaller and quicker, text can be read</source>
-   <translation type="unfinished" />
+   <translation>Binär ist kleiner und schneller, Text ist lesbar</translation>
   </message>
   <message>
    <source>Black</source>
-   <translation type="unfinished" />
+   <translation>Schwarz</translation>
   </message>
   <message>
    <source>Blank of the {member}</source>
-   <translation type="unfinished" />
+   <translation>Radkörper: {member}</translation>
   </message>
   <message>
    <source>Blue – orange</source>
-   <translation type="unfinished" />
+   <translation>Blau – Orange</translation>
   </message>
   <message>
    <source>Borders of the flanks</source>
-   <translation type="unfinished" />
+   <translation>Ränder der Flanken</translation>
   </message>
   <message>
    <source>Bore diameter</source>
-   <translation type="unfinished" />
+   <translation>Bohrungsdurchmesser</translation>
   </message>
   <message>
    <source>Both are the same.</source>
-   <translation type="unfinished" />
+   <translation>Beide sind gleich.</translation>
   </message>
   <message>
    <source>Both flanks as the method made them, in one colour</source>
-   <translation type="unfinished" />
+   <translation>Beide Flanken, wie die Methode sie machte, in einer Farbe</translation>
   </message>
   <message>
    <source>Both members</source>
-   <translation type="unfinished" />
+   <translation>Beide Räder</translation>
   </message>
   <message>
    <source>Brass</source>
-   <translation type="unfinished" />
+   <translation>Messing</translation>
   </message>
   <message>
    <source>Bronze</source>
-   <translation type="unfinished" />
+   <translation>Bronze</translation>
   </message>
   <message>
    <source>Browse…</source>
-   <translation type="unfinished" />
+   <translation>Wählen…</translation>
   </message>
   <message>
    <source>Build</source>
-   <translation type="unfinished" />
+   <translation>Bauen</translation>
   </message>
   <message>
    <source>Build &amp;gear</source>
-   <translation type="unfinished" />
+   <translation>&amp;Rad bauen</translation>
   </message>
   <message>
    <source>Build &amp;pair</source>
-   <translation type="unfinished" />
+   <translation>Radp&amp;aar bauen</translation>
   </message>
   <message>
    <source>Build both gears and show them in mesh</source>
-   <translation type="unfinished" />
+   <translation>Beide Räder bauen und im Eingriff zeigen</translation>
   </message>
   <message>
    <source>Build each method with growing effort; the design may be edited meanwhile</source>
-   <translation type="unfinished" />
+   <translation>Jede Methode mit wachsendem Aufwand bauen; der Entwurf bleibt änderbar</translation>
   </message>
   <message>
    <source>Build every variant again</source>
-   <translation type="unfinished" />
+   <translation>Jede Variante neu bauen</translation>
   </message>
   <message>
    <source>Build the solid of the design as it is now</source>
-   <translation type="unfinished" />
+   <translation>Den Körper des jetzigen Entwurfs bauen</translation>
   </message>
   <message>
    <source>Build the solids anew after every edit</source>
-   <translation type="unfinished" />
+   <translation>Die Körper nach jeder Änderung neu bauen</translation>
   </message>
   <message>
    <source>Build the whole gear as a solid and show it</source>
-   <translation type="unfinished" />
+   <translation>Das ganze Rad als Körper bauen und zeigen</translation>
   </message>
   <message>
    <source>Building alone, both flanks</source>
-   <translation type="unfinished" />
+   <translation>Nur das Bauen, beide Flanken</translation>
   </message>
   <message>
    <source>Building and checking</source>
-   <translation type="unfinished" />
+   <translation>Bauen und Prüfen</translation>
   </message>
   <message>
    <source>Building the {member} as a solid</source>
-   <translation type="unfinished" />
+   <translation>Körper wird gebaut: {member}</translation>
   </message>
   <message>
    <source>Building {method}, {variant}</source>
-   <translation type="unfinished" />
+   <translation>{method}, {variant} wird gebaut</translation>
   </message>
   <message>
    <source>Built in</source>
-   <translation type="unfinished" />
+   <translation>Gebaut in</translation>
   </message>
   <message>
    <source>CAD flanks</source>
-   <translation type="unfinished" />
+   <translation>CAD-Flanken</translation>
   </message>
   <message>
    <source>CAD flanks coloured by deviation or curvature</source>
-   <translation type="unfinished" />
+   <translation>CAD-Flanken, gefärbt nach Abweichung oder Krümmung</translation>
   </message>
   <message>
    <source>CAD kernel busy</source>
-   <translation type="unfinished" />
+   <translation>CAD-Kern arbeitet</translation>
   </message>
   <message>
    <source>CAD kernel ready</source>
-   <translation type="unfinished" />
+   <translation>CAD-Kern bereit</translation>
   </message>
   <message>
    <source>CAD kernel restarting…</source>
-   <translation type="unfinished" />
+   <translation>CAD-Kern startet neu…</translation>
   </message>
   <message>
    <source>CAD kernel starting…</source>
-   <translation type="unfinished" />
+   <translation>CAD-Kern startet…</translation>
   </message>
   <message>
    <source>CAD kernel stopped</source>
-   <translation type="unfinished" />
+   <translation>CAD-Kern angehalten</translation>
   </message>
   <message>
    <source>CAD surface</source>
-   <translation type="unfinished" />
+   <translation>CAD-Fläche</translation>
   </message>
   <message>
    <source>CSV, .dat, or columns x y z and, if there are, nx ny nz, in mm; or a STEP file of the gear</source>
-   <translation type="unfinished" />
+   <translation>CSV, .dat oder Spalten x y z und wahlweise nx ny nz in mm; oder eine STEP-Datei des Rads</translation>
   </message>
   <message>
    <source>Can be selected and copied</source>
-   <translation type="unfinished" />
+   <translation>Kann gewählt und kopiert werden</translation>
   </message>
   <message>
    <source>Cancel</source>
-   <translation type="unfinished" />
+   <translation>Abbrechen</translation>
   </message>
   <message>
    <source>Cancelled; Build builds it</source>
-   <translation type="unfinished" />
+   <translation>Abgebrochen; Bauen baut ihn</translation>
   </message>
   <message>
    <source>Cancelled; Rebuild builds it</source>
-   <translation type="unfinished" />
+   <translation>Abgebrochen; Neu aufbauen baut sie</translation>
   </message>
   <message>
    <source>Cast iron</source>
-   <translation type="unfinished" />
+   <translation>Gusseisen</translation>
   </message>
   <message>
    <source>Centre z</source>
-   <translation type="unfinished" />
+   <translation>Schwerpunkt z</translation>
   </message>
   <message>
    <source>Change {field} to {value}</source>
-   <translation type="unfinished" />
+   <translation>{field} auf {value} ändern</translation>
   </message>
   <message>
    <source>Chart</source>
-   <translation type="unfinished" />
+   <translation>Diagramm</translation>
   </message>
   <message>
    <source>Charts</source>
-   <translation type="unfinished" />
+   <translation>Diagramme</translation>
   </message>
   <message>
    <source>Choose a command to change its keys</source>
-   <translation type="unfinished" />
+   <translation>Befehl wählen, um seine Tasten zu ändern</translation>
   </message>
   <message>
    <source>Choose a design</source>
-   <translation type="unfinished" />
+   <translation>Entwurf wählen</translation>
   </message>
   <message>
    <source>Choose a design to compare with the one that is open.</source>
-   <translation type="unfinished" />
+   <translation>Einen Entwurf zum Vergleich mit dem offenen wählen.</translation>
   </message>
   <message>
    <source>Choose a file format</source>
-   <translation type="unfinished" />
+   <translation>Dateiformat wählen</translation>
   </message>
   <message>
    <source>Choose a folder</source>
-   <translation type="unfinished" />
+   <translation>Ordner wählen</translation>
   </message>
   <message>
    <source>Choose another colour for this layer</source>
-   <translation type="unfinished" />
+   <translation>Eine andere Farbe für diese Ebene wählen</translation>
   </message>
   <message>
    <source>Choose what goes in, then Update preview.</source>
-   <translation type="unfinished" />
+   <translation>Inhalt wählen, dann Vorschau erneuern.</translation>
   </message>
   <message>
    <source>Chordal addendum, mean</source>
-   <translation type="unfinished" />
+   <translation>Höhe über der Sehne, Mitte</translation>
   </message>
   <message>
    <source>Chordal addendum, outer</source>
-   <translation type="unfinished" />
+   <translation>Höhe über der Sehne, außen</translation>
   </message>
   <message>
    <source>Circular arc (milled)</source>
-   <translation type="unfinished" />
+   <translation>Kreisbogen (gefräst)</translation>
   </message>
   <message>
    <source>Circular plane of radius R that rolls on the base cone</source>
-   <translation type="unfinished" />
+   <translation>Kreisebene mit Radius R, die auf dem Grundkegel rollt</translation>
   </message>
   <message>
    <source>Clear</source>
-   <translation type="unfinished" />
+   <translation>Leeren</translation>
   </message>
   <message>
    <source>Clear where nothing is; for slides and papers</source>
-   <translation type="unfinished" />
+   <translation>Durchsichtig, wo nichts ist; für Folien und Aufsätze</translation>
   </message>
   <message>
    <source>Clearance factor</source>
-   <translation type="unfinished" />
+   <translation>Kopfspielfaktor</translation>
   </message>
   <message>
    <source>Clearance over depth</source>
-   <translation type="unfinished" />
+   <translation>Kopfspiel zu Zahnhöhe</translation>
   </message>
   <message>
    <source>Click into a table first</source>
-   <translation type="unfinished" />
+   <translation>Erst in eine Tabelle klicken</translation>
   </message>
   <message>
    <source>Click the second point.</source>
-   <translation type="unfinished" />
+   <translation>Den zweiten Punkt anklicken.</translation>
   </message>
   <message>
    <source>Click to see it in the view.</source>
-   <translation type="unfinished" />
+   <translation>Klicken zeigt es in der Ansicht.</translation>
   </message>
   <message>
    <source>Click two points of the solid.</source>
-   <translation type="unfinished" />
+   <translation>Zwei Punkte des Körpers anklicken.</translation>
   </message>
   <message>
    <source>Click two points: their distance and what lies between</source>
-   <translation type="unfinished" />
+   <translation>Zwei Punkte anklicken: ihr Abstand und was dazwischen liegt</translation>
   </message>
   <message>
    <source>Close</source>
-   <translation type="unfinished" />
+   <translation>Schließen</translation>
   </message>
   <message>
    <source>Close the display panel</source>
-   <translation type="unfinished" />
+   <translation>Darstellungstafel schließen</translation>
   </message>
   <message>
    <source>Close the report</source>
-   <translation type="unfinished" />
+   <translation>Bericht schließen</translation>
   </message>
   <message>
    <source>Close; every choice is already in force</source>
-   <translation type="unfinished" />
+   <translation>Schließen; alles gilt schon</translation>
   </message>
   <message>
    <source>Close; what is being painted is given up</source>
-   <translation type="unfinished" />
+   <translation>Schließen; was gerade gezeichnet wird, entfällt</translation>
   </message>
   <message>
    <source>Closed</source>
-   <translation type="unfinished" />
+   <translation>Geschlossen</translation>
   </message>
   <message>
    <source>Co&amp;mpare with design…</source>
-   <translation type="unfinished" />
+   <translation>&amp;Mit Entwurf vergleichen…</translation>
   </message>
   <message>
    <source>Coarse</source>
-   <translation type="unfinished" />
+   <translation>Grob</translation>
   </message>
   <message>
    <source>Coarse mill drive</source>
-   <translation type="unfinished" />
+   <translation>Grober Mühlenantrieb</translation>
   </message>
   <message>
    <source>Coast</source>
-   <translation type="unfinished" />
+   <translation>Schub</translation>
   </message>
   <message>
    <source>Colour and opacity of {layer}</source>
-   <translation type="unfinished" />
+   <translation>Farbe und Deckkraft: {layer}</translation>
   </message>
   <message>
    <source>Colour of the layer</source>
-   <translation type="unfinished" />
+   <translation>Farbe der Ebene</translation>
   </message>
   <message>
    <source>Colour scale</source>
-   <translation type="unfinished" />
+   <translation>Farbskala</translation>
   </message>
   <message>
    <source>Coloured flanks</source>
-   <translation type="unfinished" />
+   <translation>Gefärbte Flanken</translation>
   </message>
   <message>
    <source>Colours</source>
-   <translation type="unfinished" />
+   <translation>Farben</translation>
   </message>
   <message>
    <source>Colours of the members and of their flanks</source>
-   <translation type="unfinished" />
+   <translation>Farben der Räder und ihrer Flanken</translation>
   </message>
   <message>
    <source>Colours of the window</source>
-   <translation type="unfinished" />
+   <translation>Farben des Fensters</translation>
   </message>
   <message>
    <source>Colours, surface quality, cameras and ground of the views</source>
-   <translation type="unfinished" />
+   <translation>Farben, Flächengüte, Kameras und Grund der Ansichten</translation>
   </message>
   <message>
    <source>Colour…</source>
-   <translation type="unfinished" />
+   <translation>Farbe…</translation>
   </message>
   <message>
    <source>Combs</source>
-   <translation type="unfinished" />
+   <translation>Kämme</translation>
   </message>
   <message>
    <source>Command</source>
-   <translation type="unfinished" />
+   <translation>Befehl</translation>
   </message>
   <message>
    <source>Command &amp;palette…</source>
-   <translation type="unfinished" />
+   <translation>&amp;Befehle suchen…</translation>
   </message>
   <message>
    <source>Command or parameter</source>
-   <translation type="unfinished" />
+   <translation>Befehl oder Parameter</translation>
   </message>
   <message>
    <source>Command palette</source>
-   <translation type="unfinished" />
+   <translation>Befehlssuche</translation>
   </message>
   <message>
    <source>Commands</source>
-   <translation type="unfinished" />
+   <translation>Befehle</translation>
   </message>
   <message>
    <source>Commands and their keys</source>
-   <translation type="unfinished" />
+   <translation>Befehle und ihre Tasten</translation>
   </message>
   <message>
    <source>Commands found</source>
-   <translation type="unfinished" />
+   <translation>Gefundene Befehle</translation>
   </message>
   <message>
    <source>Common apex</source>
-   <translation type="unfinished" />
+   <translation>Gemeinsame Spitze</translation>
   </message>
   <message>
    <source>Common apex: all cones share the apex, as in the paper. Constant clearance: the tip runs parallel to the mate's root.</source>
-   <translation type="unfinished" />
+   <translation>Gemeinsame Spitze: alle Kegel haben dieselbe Spitze, wie in der Arbeit. Gleichbleibendes Kopfspiel: der Kopf läuft parallel zum Fuß des Gegenrads.</translation>
   </message>
   <message>
    <source>Compare designs</source>
-   <translation type="unfinished" />
+   <translation>Entwürfe vergleichen</translation>
   </message>
   <message>
    <source>Compare with design</source>
-   <translation type="unfinished" />
+   <translation>Mit Entwurf vergleichen</translation>
   </message>
   <message>
    <source>Compare with the design of a file</source>
-   <translation type="unfinished" />
+   <translation>Mit dem Entwurf einer Datei vergleichen</translation>
   </message>
   <message>
    <source>Comparison</source>
-   <translation type="unfinished" />
+   <translation>Vergleich</translation>
   </message>
   <message>
    <source>Comparison of all methods and variants</source>
-   <translation type="unfinished" />
+   <translation>Vergleich aller Methoden und Varianten</translation>
   </message>
   <message>
    <source>Compound</source>
-   <translation type="unfinished" />
+   <translation>Paste</translation>
   </message>
   <message>
    <source>Compute the report of the design as it is now</source>
-   <translation type="unfinished" />
+   <translation>Den Bericht des jetzigen Entwurfs berechnen</translation>
   </message>
   <message>
    <source>Computed</source>
-   <translation type="unfinished" />
+   <translation>Berechnet</translation>
   </message>
   <message>
    <source>Concave</source>
-   <translation type="unfinished" />
+   <translation>Konkav</translation>
   </message>
   <message>
    <source>Concave flank</source>
-   <translation type="unfinished" />
+   <translation>Konkave Flanke</translation>
   </message>
   <message>
    <source>Cones</source>
-   <translation type="unfinished" />
+   <translation>Kegel</translation>
   </message>
   <message>
    <source>Constant clearance</source>
-   <translation type="unfinished" />
+   <translation>Gleichbleibendes Kopfspiel</translation>
   </message>
   <message>
    <source>Construction</source>
-   <translation type="unfinished" />
+   <translation>Aufbau</translation>
   </message>
   <message>
    <source>Contact</source>
-   <translation type="unfinished" />
+   <translation>Kontakt</translation>
   </message>
   <message>
    <source>Contact pattern</source>
-   <translation type="unfinished" />
+   <translation>Tragbild</translation>
   </message>
   <message>
    <source>Contact pattern and transmission error, with misalignments</source>
-   <translation type="unfinished" />
+   <translation>Tragbild und Drehwegabweichung, mit Einbaufehlern</translation>
   </message>
   <message>
    <source>Contact pattern, ease-off and transmission error, drive and coast</source>
-   <translation type="unfinished" />
+   <translation>Tragbild, Ease-off und Drehwegabweichung, Zug und Schub</translation>
   </message>
   <message>
    <source>Contact ratio</source>
-   <translation type="unfinished" />
+   <translation>Überdeckung</translation>
   </message>
   <message>
    <source>Contact ratios</source>
-   <translation type="unfinished" />
+   <translation>Überdeckungen</translation>
   </message>
   <message>
    <source>Contour lines</source>
-   <translation type="unfinished" />
+   <translation>Höhenlinien</translation>
   </message>
   <message>
    <source>Contours</source>
-   <translation type="unfinished" />
+   <translation>Höhenlinien</translation>
   </message>
   <message>
    <source>Contours every {step} µm; 0 at the mean point</source>
-   <translation type="unfinished" />
+   <translation>Höhenlinien alle {step} µm; 0 im Mittelpunkt</translation>
   </message>
   <message>
    <source>Control points of the heavier flank</source>
-   <translation type="unfinished" />
+   <translation>Kontrollpunkte der aufwendigeren Flanke</translation>
   </message>
   <message>
    <source>Control points of the surface, u × v</source>
-   <translation type="unfinished" />
+   <translation>Kontrollpunkte der Fläche, u × v</translation>
   </message>
   <message>
    <source>Convergence</source>
-   <translation type="unfinished" />
+   <translation>Konvergenz</translation>
   </message>
   <message>
    <source>Convex</source>
-   <translation type="unfinished" />
+   <translation>Konvex</translation>
   </message>
   <message>
    <source>Convex flank</source>
-   <translation type="unfinished" />
+   <translation>Konvexe Flanke</translation>
   </message>
   <message>
    <source>Copied the chart: picture and numbers</source>
-   <translation type="unfinished" />
+   <translation>Diagramm kopiert: Bild und Zahlen</translation>
   </message>
   <message>
    <source>Copied the data sheet as {format}</source>
-   <translation type="unfinished" />
+   <translation>Datenblatt als {format} kopiert</translation>
   </message>
   <message>
    <source>Copied; paste it into a spreadsheet</source>
-   <translation type="unfinished" />
+   <translation>Kopiert; in eine Tabellenkalkulation einfügen</translation>
   </message>
   <message>
    <source>Copy</source>
-   <translation type="unfinished" />
+   <translation>Kopieren</translation>
   </message>
   <message>
    <source>Copy &amp;derived values</source>
-   <translation type="unfinished" />
+   <translation>&amp;Abgeleitete Werte kopieren</translation>
   </message>
   <message>
    <source>Copy &amp;diagnostics</source>
-   <translation type="unfinished" />
+   <translation>&amp;Diagnose kopieren</translation>
   </message>
   <message>
    <source>Copy &amp;table</source>
-   <translation type="unfinished" />
+   <translation>&amp;Tabelle kopieren</translation>
   </message>
   <message>
    <source>Copy all of the report</source>
-   <translation type="unfinished" />
+   <translation>Den ganzen Bericht kopieren</translation>
   </message>
   <message>
    <source>Copy co&amp;mparison</source>
-   <translation type="unfinished" />
+   <translation>&amp;Vergleich kopieren</translation>
   </message>
   <message>
    <source>Copy of unsaved work every</source>
-   <translation type="unfinished" />
+   <translation>Kopie ungesicherter Arbeit alle</translation>
   </message>
   <message>
    <source>Copy report</source>
-   <translation type="unfinished" />
+   <translation>Bericht kopieren</translation>
   </message>
   <message>
    <source>Copy table</source>
-   <translation type="unfinished" />
+   <translation>Tabelle kopieren</translation>
   </message>
   <message>
    <source>Copy the comparison table as text</source>
-   <translation type="unfinished" />
+   <translation>Die Vergleichstabelle als Text kopieren</translation>
   </message>
   <message>
    <source>Copy the derived values as text</source>
-   <translation type="unfinished" />
+   <translation>Die abgeleiteten Werte als Text kopieren</translation>
   </message>
   <message>
    <source>Copy the entries that are shown</source>
-   <translation type="unfinished" />
+   <translation>Die gezeigten Einträge kopieren</translation>
   </message>
   <message>
    <source>Copy the message with its details</source>
-   <translation type="unfinished" />
+   <translation>Die Meldung mit Einzelheiten kopieren</translation>
   </message>
   <message>
    <source>Copy the picture and the numbers</source>
-   <translation type="unfinished" />
+   <translation>Bild und Zahlen kopieren</translation>
   </message>
   <message>
    <source>Copy the picture to the clipboard</source>
-   <translation type="unfinished" />
+   <translation>Das Bild in die Zwischenablage kopieren</translation>
   </message>
   <message>
    <source>Copy the sheet</source>
-   <translation type="unfinished" />
+   <translation>Datenblatt kopieren</translation>
   </message>
   <message>
    <source>Copy the table for a spreadsheet</source>
-   <translation type="unfinished" />
+   <translation>Die Tabelle für eine Tabellenkalkulation kopieren</translation>
   </message>
   <message>
    <source>Copy the table with the focus, for a spreadsheet</source>
-   <translation type="unfinished" />
+   <translation>Die Tabelle mit dem Fokus kopieren, für eine Tabellenkalkulation</translation>
   </message>
   <message>
    <source>Copy the values as a table</source>
-   <translation type="unfinished" />
+   <translation>Die Werte als Tabelle kopieren</translation>
   </message>
   <message>
    <source>Copy versions, design and log for a report</source>
-   <translation type="unfinished" />
+   <translation>Versionen, Entwurf und Protokoll für eine Meldung kopieren</translation>
   </message>
   <message>
    <source>Copy what is chosen in a table or text</source>
-   <translation type="unfinished" />
+   <translation>Das in Tabelle oder Text Gewählte kopieren</translation>
   </message>
   <message>
    <source>Count</source>
-   <translation type="unfinished" />
+   <translation>Anzahl</translation>
   </message>
   <message>
    <source>Crown to apex</source>
-   <translation type="unfinished" />
+   <translation>Kopfkante zur Spitze</translation>
   </message>
   <message>
    <source>Curvature</source>
-   <translation type="unfinished" />
+   <translation>Krümmung</translation>
   </message>
   <message>
    <source>Curvature combs</source>
-   <translation type="unfinished" />
+   <translation>Krümmungskämme</translation>
   </message>
   <message>
    <source>Curvature itself, or its difference to the exact flank</source>
-   <translation type="unfinished" />
+   <translation>Die Krümmung selbst, oder ihr Unterschied zur exakten Flanke</translation>
   </message>
   <message>
    <source>Curvature of the modelled flanks, as the paper's Fig. 11, or its difference to theory</source>
-   <translation type="unfinished" />
+   <translation>Krümmung der modellierten Flanken wie in Bild 11 der Arbeit, oder ihr Unterschied zur Theorie</translation>
   </message>
   <message>
    <source>Curves along the tooth that guide the surface</source>
-   <translation type="unfinished" />
+   <translation>Kurven entlang des Zahns, die die Fläche führen</translation>
   </message>
   <message>
    <source>Custom</source>
-   <translation type="unfinished" />
+   <translation>Eigenes</translation>
   </message>
   <message>
    <source>Cut</source>
-   <translation type="unfinished" />
+   <translation>Ausschneiden</translation>
   </message>
   <message>
    <source>Cut from the blank (slow)</source>
-   <translation type="unfinished" />
+   <translation>Aus dem Rohling geschnitten (langsam)</translation>
   </message>
   <message>
    <source>Cut square to the {axis} axis</source>
-   <translation type="unfinished" />
+   <translation>Schnitt rechtwinklig zur Achse {axis}</translation>
   </message>
   <message>
    <source>Cutter radius</source>
-   <translation type="unfinished" />
+   <translation>Messerkopfradius</translation>
   </message>
   <message>
    <source>Dark</source>
-   <translation type="unfinished" />
+   <translation>Dunkel</translation>
   </message>
   <message>
    <source>Dark – bright</source>
-   <translation type="unfinished" />
+   <translation>Dunkel – hell</translation>
   </message>
   <message>
    <source>Data sheet</source>
-   <translation type="unfinished" />
+   <translation>Datenblatt</translation>
   </message>
   <message>
    <source>Data sheet or published values</source>
-   <translation type="unfinished" />
+   <translation>Datenblatt oder veröffentlichte Werte</translation>
   </message>
   <message>
    <source>Decide &amp;later</source>
-   <translation type="unfinished" />
+   <translation>&amp;Später entscheiden</translation>
   </message>
   <message>
    <source>Decimals</source>
-   <translation type="unfinished" />
+   <translation>Nachkommastellen</translation>
   </message>
   <message>
    <source>Dedendum angle</source>
-   <translation type="unfinished" />
+   <translation>Fußwinkel</translation>
   </message>
   <message>
    <source>Dedendum, heel</source>
-   <translation type="unfinished" />
+   <translation>Fußhöhe, Ferse</translation>
   </message>
   <message>
    <source>Default spiral bevel pair</source>
-   <translation type="unfinished" />
+   <translation>Übliches Spiralkegelradpaar</translation>
   </message>
   <message>
    <source>Default: {value}</source>
-   <translation type="unfinished" />
+   <translation>Vorgabe: {value}</translation>
   </message>
   <message>
    <source>Degree</source>
-   <translation type="unfinished" />
+   <translation>Grad</translation>
   </message>
   <message>
    <source>Degree of the surface through the point cloud.</source>
-   <translation type="unfinished" />
+   <translation>Grad der Fläche durch die Punktwolke.</translation>
   </message>
   <message>
    <source>Degree of the surface, u × v</source>
-   <translation type="unfinished" />
+   <translation>Grad der Fläche, u × v</translation>
   </message>
   <message>
    <source>Density</source>
-   <translation type="unfinished" />
+   <translation>Dichte</translation>
   </message>
   <message>
    <source>Density of points</source>
-   <translation type="unfinished" />
+   <translation>Punktdichte</translation>
   </message>
   <message>
    <source>Density of the material in kg/m³</source>
-   <translation type="unfinished" />
+   <translation>Dichte des Werkstoffs in kg/m³</translation>
   </message>
   <message>
    <source>Depth</source>
-   <translation type="unfinished" />
+   <translation>Zahnhöhe</translation>
   </message>
   <message>
    <source>Depth factor</source>
-   <translation type="unfinished" />
+   <translation>Zahnhöhenfaktor</translation>
   </message>
   <message>
    <source>Depth system</source>
-   <translation type="unfinished" />
+   <translation>Zahnhöhensystem</translation>
   </message>
   <message>
    <source>Depths</source>
-   <translation type="unfinished" />
+   <translation>Zahnhöhen</translation>
   </message>
   <message>
    <source>Derived values</source>
-   <translation type="unfinished" />
+   <translation>Abgeleitete Werte</translation>
   </message>
   <message>
    <source>Derived values of both members</source>
-   <translation type="unfinished" />
+   <translation>Abgeleitete Werte beider Räder</translation>
   </message>
   <message>
    <source>Design</source>
-   <translation type="unfinished" />
+   <translation>Entwurf</translation>
   </message>
   <message>
    <source>Design in use</source>
-   <translation type="unfinished" />
+   <translation>Entwurf in Gebrauch</translation>
   </message>
   <message>
    <source>Design, data sheets, comparison, maps, contact and equations as a PDF</source>
-   <translation type="unfinished" />
+   <translation>Entwurf, Datenblätter, Vergleich, Karten, Kontakt und Gleichungen als PDF</translation>
   </message>
   <message>
    <source>Designs that were saved on this computer</source>
-   <translation type="unfinished" />
+   <translation>Entwürfe, die auf diesem Rechner gespeichert wurden</translation>
   </message>
   <message>
    <source>Designs with unsaved work</source>
-   <translation type="unfinished" />
+   <translation>Entwürfe mit ungesicherter Arbeit</translation>
   </message>
   <message>
    <source>Designs, backups and unsaved work stay. The old settings are kept as a .bak file.</source>
-   <translation type="unfinished" />
+   <translation>Entwürfe, Sicherungen und ungesicherte Arbeit bleiben. Die alten Einstellungen bleiben als .bak-Datei.</translation>
   </message>
   <message>
    <source>Details</source>
-   <translation type="unfinished" />
+   <translation>Einzelheiten</translation>
   </message>
   <message>
    <source>Details of the message</source>
-   <translation type="unfinished" />
+   <translation>Einzelheiten der Meldung</translation>
   </message>
   <message>
    <source>Deutsch</source>
-   <translation type="unfinished" />
+   <translation>Deutsch</translation>
   </message>
   <message>
    <source>Deviation</source>
-   <translation type="unfinished" />
+   <translation>Abweichung</translation>
   </message>
   <message>
    <source>Deviation against positions, sections or points, poles, and seconds</source>
-   <translation type="unfinished" />
+   <translation>Abweichung über Stellungen, Schnitten oder Punkten, Polen und Sekunden</translation>
   </message>
   <message>
    <source>Deviation along a series of points, as the paper's Fig. 12</source>
-   <translation type="unfinished" />
+   <translation>Abweichung entlang einer Punktfolge, wie in Bild 12 der Arbeit</translation>
   </message>
   <message>
    <source>Deviation along points, histogram</source>
-   <translation type="unfinished" />
+   <translation>Abweichung entlang von Punkten, Histogramm</translation>
   </message>
   <message>
    <source>Deviation as a bar at each point, both flanks drawn flat</source>
-   <translation type="unfinished" />
+   <translation>Abweichung als Balken an jedem Punkt, beide Flanken flach gezeichnet</translation>
   </message>
   <message>
    <source>Deviation maps</source>
-   <translation type="unfinished" />
+   <translation>Abweichungskarten</translation>
   </message>
   <message>
    <source>Deviation of a point</source>
-   <translation type="unfinished" />
+   <translation>Abweichung eines Punkts</translation>
   </message>
   <message>
    <source>Deviation, absolute</source>
-   <translation type="unfinished" />
+   <translation>Abweichung, Betrag</translation>
   </message>
   <message>
    <source>Deviation, {kind}</source>
-   <translation type="unfinished" />
+   <translation>Abweichung, {kind}</translation>
   </message>
   <message>
    <source>Deviations of all methods and variants, as a table and along the flank</source>
-   <translation type="unfinished" />
+   <translation>Abweichungen aller Methoden und Varianten, als Tabelle und entlang der Flanke</translation>
   </message>
   <message>
    <source>Diameter of a solid shank behind the back face, 0 for none; it replaces the bore.</source>
-   <translation type="unfinished" />
+   <translation>Durchmesser eines vollen Schafts hinter der Rückfläche, 0 für keinen; er ersetzt die Bohrung.</translation>
   </message>
   <message>
    <source>Diameter of the bore, 0 for none; leave empty to derive it from the pair.</source>
-   <translation type="unfinished" />
+   <translation>Durchmesser der Bohrung, 0 für keine; leer: aus dem Paar abgeleitet.</translation>
   </message>
   <message>
    <source>Diameters</source>
-   <translation type="unfinished" />
+   <translation>Durchmesser</translation>
   </message>
   <message>
    <source>Difference</source>
-   <translation type="unfinished" />
+   <translation>Unterschied</translation>
   </message>
   <message>
    <source>Differences</source>
-   <translation type="unfinished" />
+   <translation>Unterschiede</translation>
   </message>
   <message>
    <source>Different: {fields}</source>
-   <translation type="unfinished" />
+   <translation>Verschieden: {fields}</translation>
   </message>
   <message>
    <source>Differs from what is open in</source>
-   <translation type="unfinished" />
+   <translation>Weicht vom Offenen ab in</translation>
   </message>
   <message>
    <source>Digits after the point of lengths in mm and angles; two more in inches</source>
-   <translation type="unfinished" />
+   <translation>Nachkommastellen von Längen in mm und Winkeln; zwei mehr in Zoll</translation>
   </message>
   <message>
    <source>Dimensions of both members with the standard's names</source>
-   <translation type="unfinished" />
+   <translation>Maße beider Räder mit den Namen der Norm</translation>
   </message>
   <message>
    <source>Direction</source>
-   <translation type="unfinished" />
+   <translation>Richtung</translation>
   </message>
   <message>
    <source>Direction of the curvature combs; the layer list switches them on</source>
-   <translation type="unfinished" />
+   <translation>Richtung der Krümmungskämme; die Ebenenliste schaltet sie ein</translation>
   </message>
   <message>
    <source>Direction of the lamps</source>
-   <translation type="unfinished" />
+   <translation>Richtung der Lampen</translation>
   </message>
   <message>
    <source>Directions x, y and z of the gear</source>
-   <translation type="unfinished" />
+   <translation>Richtungen x, y und z des Rads</translation>
   </message>
   <message>
    <source>Dismiss</source>
-   <translation type="unfinished" />
+   <translation>Ausblenden</translation>
   </message>
   <message>
    <source>Display</source>
-   <translation type="unfinished" />
+   <translation>Darstellung</translation>
   </message>
   <message>
    <source>Display and work as for a new user; keys have a button of their own</source>
-   <translation type="unfinished" />
+   <translation>Anzeige und Arbeit wie für neue Benutzer; Tasten haben einen eigenen Knopf</translation>
   </message>
   <message>
    <source>Distance</source>
-   <translation type="unfinished" />
+   <translation>Abstand</translation>
   </message>
   <message>
    <source>Distance between the axes of a hypoid pair; 0 is a bevel pair. Positive makes the pinion's spiral angle the larger one. With an offset the outer module and the face width are the wheel's.</source>
-   <translation type="unfinished" />
+   <translation>Achsabstand eines Hypoidpaars; 0 ist ein Kegelradpaar. Positiv vergrößert den Spiralwinkel des Ritzels. Mit Achsversatz gelten Außenmodul und Zahnbreite für das Rad.</translation>
   </message>
   <message>
    <source>Do again what was taken back</source>
-   <translation type="unfinished" />
+   <translation>Zurückgenommenes wiederholen</translation>
   </message>
   <message>
    <source>Done again: {step}</source>
-   <translation type="unfinished" />
+   <translation>Wiederholt: {step}</translation>
   </message>
   <message>
    <source>Drag the card to where it hides nothing</source>
-   <translation type="unfinished" />
+   <translation>Die Karte dorthin ziehen, wo sie nichts verdeckt</translation>
   </message>
   <message>
    <source>Draw the edges of the faces</source>
-   <translation type="unfinished" />
+   <translation>Die Kanten der Flächen zeichnen</translation>
   </message>
   <message>
    <source>Drawing by software failed too; install or update Mesa (libgl1-mesa-dri) or the driver.</source>
-   <translation type="unfinished" />
+   <translation>Auch das Zeichnen durch Software misslang; Mesa (libgl1-mesa-dri) oder den Treiber installieren oder erneuern.</translation>
   </message>
   <message>
    <source>Drive</source>
-   <translation type="unfinished" />
+   <translation>Zug</translation>
   </message>
   <message>
    <source>Duplex</source>
-   <translation type="unfinished" />
+   <translation>Duplex</translation>
   </message>
   <message>
    <source>Each save leaves a copy. Going back changes no file until you save, and can be undone.</source>
-   <translation type="unfinished" />
+   <translation>Jedes Speichern legt eine Kopie an. Zurückkehren ändert keine Datei, bis Sie speichern, und lässt sich rückgängig machen.</translation>
   </message>
   <message>
    <source>Ease-off</source>
-   <translation type="unfinished" />
+   <translation>Ease-off</translation>
   </message>
   <message>
    <source>Edges</source>
-   <translation type="unfinished" />
+   <translation>Kanten</translation>
   </message>
   <message>
    <source>Effort</source>
-   <translation type="unfinished" />
+   <translation>Aufwand</translation>
   </message>
   <message>
    <source>Empty the panel; the log file stays</source>
-   <translation type="unfinished" />
+   <translation>Die Tafel leeren; die Protokolldatei bleibt</translation>
   </message>
   <message>
    <source>Enclosed</source>
-   <translation type="unfinished" />
+   <translation>Umschlossen</translation>
   </message>
   <message>
    <source>End chamfer</source>
-   <translation type="unfinished" />
+   <translation>Endfase</translation>
   </message>
   <message>
    <source>End the CAD process and start a new one</source>
-   <translation type="unfinished" />
+   <translation>Den CAD-Prozess beenden und neu starten</translation>
   </message>
   <message>
    <source>End the measurement</source>
-   <translation type="unfinished" />
+   <translation>Messung beenden</translation>
   </message>
   <message>
    <source>English</source>
-   <translation type="unfinished" />
+   <translation>English</translation>
   </message>
   <message>
    <source>Enter or a click carries out</source>
-   <translation type="unfinished" />
+   <translation>Enter oder ein Klick führt aus</translation>
   </message>
   <message>
    <source>Equations</source>
-   <translation type="unfinished" />
+   <translation>Gleichungen</translation>
   </message>
   <message>
    <source>Errors</source>
-   <translation type="unfinished" />
+   <translation>Fehler</translation>
   </message>
   <message>
    <source>Errors [µm]</source>
-   <translation type="unfinished" />
+   <translation>Fehler [µm]</translation>
   </message>
   <message>
    <source>Errors and statistics of the measured points</source>
-   <translation type="unfinished" />
+   <translation>Fehler und Statistik der Messpunkte</translation>
   </message>
   <message>
    <source>Esc</source>
-   <translation type="unfinished" />
+   <translation>Esc</translation>
   </message>
   <message>
    <source>Evenly divided; by arc length or denser at the ends on request.</source>
-   <translation type="unfinished" />
+   <translation>Gleichmäßig geteilt; auf Wunsch nach Bogenlänge oder an den Enden dichter.</translation>
   </message>
   <message>
    <source>Every field of the design with symbol, value and unit</source>
-   <translation type="unfinished" />
+   <translation>Jedes Feld des Entwurfs mit Zeichen, Wert und Einheit</translation>
   </message>
   <message>
    <source>Every formula, what the paper prints, and this design's numbers</source>
-   <translation type="unfinished" />
+   <translation>Jede Formel, was die Arbeit druckt, und die Zahlen dieses Entwurfs</translation>
   </message>
   <message>
    <source>Every value of the pair; a row explains itself</source>
-   <translation type="unfinished" />
+   <translation>Jeder Wert des Paars; eine Zeile erklärt sich selbst</translation>
   </message>
   <message>
    <source>Everything</source>
-   <translation type="unfinished" />
+   <translation>Alles</translation>
   </message>
   <message>
    <source>Everything else works: parameters, comparison, charts, data sheets and exports.</source>
-   <translation type="unfinished" />
+   <translation>Alles andere geht: Parameter, Vergleich, Diagramme, Datenblätter und Exporte.</translation>
   </message>
   <message>
    <source>Expand the analysis</source>
-   <translation type="unfinished" />
+   <translation>Auswertung vergrößern</translation>
   </message>
   <message>
    <source>Explain the parameter with the cursor, or what is clicked</source>
-   <translation type="unfinished" />
+   <translation>Den Parameter mit dem Cursor erklären, oder was angeklickt wird</translation>
   </message>
   <message>
    <source>Export</source>
-   <translation type="unfinished" />
+   <translation>Export</translation>
   </message>
   <message>
    <source>Exporting {label}</source>
-   <translation type="unfinished" />
+   <translation>{label} wird exportiert</translation>
   </message>
   <message>
    <source>Exports</source>
-   <translation type="unfinished" />
+   <translation>Exporte</translation>
   </message>
   <message>
    <source>Face and root cone angles</source>
-   <translation type="unfinished" />
+   <translation>Kopf- und Fußkegelwinkel</translation>
   </message>
   <message>
    <source>Face angle</source>
-   <translation type="unfinished" />
+   <translation>Kopfkegelwinkel</translation>
   </message>
   <message>
    <source>Face apex beyond crossing point</source>
-   <translation type="unfinished" />
+   <translation>Kopfkegelspitze über dem Achsschnittpunkt</translation>
   </message>
   <message>
    <source>Face width</source>
-   <translation type="unfinished" />
+   <translation>Zahnbreite</translation>
   </message>
   <message>
    <source>Face width along the pitch cone; leave empty to take the factor.</source>
-   <translation type="unfinished" />
+   <translation>Zahnbreite entlang des Teilkegels; leer: aus dem Faktor.</translation>
   </message>
   <message>
    <source>Face width factor</source>
-   <translation type="unfinished" />
+   <translation>Zahnbreitenfaktor</translation>
   </message>
   <message>
    <source>Face width over outer cone distance; a face width in mm wins over it.</source>
-   <translation type="unfinished" />
+   <translation>Zahnbreite durch äußere Teilkegellänge; eine Zahnbreite in mm hat Vorrang.</translation>
   </message>
   <message>
    <source>Faces</source>
-   <translation type="unfinished" />
+   <translation>Flächen</translation>
   </message>
   <message>
    <source>Faces joined into one shell, or tooth spaces cut from the blank by Booleans</source>
-   <translation type="unfinished" />
+   <translation>Flächen zu einer Hülle verbunden, oder Zahnlücken durch Boolesche Operationen geschnitten</translation>
   </message>
   <message>
    <source>Fields that differ from their defaults; the context menu resets the group</source>
-   <translation type="unfinished" />
+   <translation>Felder, die von der Vorgabe abweichen; das Kontextmenü setzt die Gruppe zurück</translation>
   </message>
   <message>
    <source>Fields with a problem</source>
-   <translation type="unfinished" />
+   <translation>Felder mit einem Problem</translation>
   </message>
   <message>
    <source>Files</source>
-   <translation type="unfinished" />
+   <translation>Dateien</translation>
   </message>
   <message>
    <source>Fillet factor</source>
-   <translation type="unfinished" />
+   <translation>Fußrundungsfaktor</translation>
   </message>
   <message>
    <source>Fillet radius</source>
-   <translation type="unfinished" />
+   <translation>Fußrundungsradius</translation>
   </message>
   <message>
    <source>Fillet radius on the heel sphere over mean normal module.</source>
-   <translation type="unfinished" />
+   <translation>Fußrundungsradius auf der Fersenkugel durch mittleren Normalmodul.</translation>
   </message>
   <message>
    <source>Fillet radius, heel</source>
-   <translation type="unfinished" />
+   <translation>Fußrundungsradius, Ferse</translation>
   </message>
   <message>
    <source>Film</source>
-   <translation type="unfinished" />
+   <translation>Film</translation>
   </message>
   <message>
    <source>Find a command or a key</source>
-   <translation type="unfinished" />
+   <translation>Befehl oder Taste finden</translation>
   </message>
   <message>
    <source>Find a parameter</source>
-   <translation type="unfinished" />
+   <translation>Parameter finden</translation>
   </message>
   <message>
    <source>Find an equation</source>
-   <translation type="unfinished" />
+   <translation>Gleichung finden</translation>
   </message>
   <message>
    <source>Find any command or parameter by a few letters</source>
-   <translation type="unfinished" />
+   <translation>Jeden Befehl oder Parameter mit wenigen Buchstaben finden</translation>
   </message>
   <message>
    <source>Find in the page</source>
-   <translation type="unfinished" />
+   <translation>Auf der Seite finden</translation>
   </message>
   <message>
    <source>Fine</source>
-   <translation type="unfinished" />
+   <translation>Fein</translation>
   </message>
   <message>
    <source>Fine instrument pair</source>
-   <translation type="unfinished" />
+   <translation>Feines Instrumentenpaar</translation>
   </message>
   <message>
    <source>Fit all</source>
-   <translation type="unfinished" />
+   <translation>Alles einpassen</translation>
   </message>
   <message>
    <source>Flank</source>
-   <translation type="unfinished" />
+   <translation>Flanke</translation>
   </message>
   <message>
    <source>Flank colours</source>
-   <translation type="unfinished" />
+   <translation>Farben der Flanken</translation>
   </message>
   <message>
    <source>Flanks coloured by deviation</source>
-   <translation type="unfinished" />
+   <translation>Flanken nach Abweichung gefärbt</translation>
   </message>
   <message>
    <source>Flanks of one tooth</source>
-   <translation type="unfinished" />
+   <translation>Flanken eines Zahns</translation>
   </message>
   <message>
    <source>Flat: the flanks are conjugate</source>
-   <translation type="unfinished" />
+   <translation>Eben: die Flanken sind konjugiert</translation>
   </message>
   <message>
    <source>Fold all groups</source>
-   <translation type="unfinished" />
+   <translation>Alle Gruppen zuklappen</translation>
   </message>
   <message>
    <source>Fold or unfold this group</source>
-   <translation type="unfinished" />
+   <translation>Diese Gruppe auf- oder zuklappen</translation>
   </message>
   <message>
    <source>Folder</source>
-   <translation type="unfinished" />
+   <translation>Ordner</translation>
   </message>
   <message>
    <source>Folder for the exported files</source>
-   <translation type="unfinished" />
+   <translation>Ordner für die exportierten Dateien</translation>
   </message>
   <message>
    <source>Folder not found</source>
-   <translation type="unfinished" />
+   <translation>Ordner nicht gefunden</translation>
   </message>
   <message>
    <source>For the Archimedean spiral with β₀ at the toe; for other curves the same difference θ(R) − θ(R − B).</source>
-   <translation type="unfinished" />
+   <translation>Für die archimedische Spirale mit β₀ an der Zehe; für andere Kurven dieselbe Differenz θ(R) − θ(R − B).</translation>
   </message>
   <message>
    <source>Forget layout, lists and preferences; designs stay</source>
-   <translation type="unfinished" />
+   <translation>Anordnung, Listen und Einstellungen vergessen; Entwürfe bleiben</translation>
   </message>
   <message>
    <source>Forget the edits that were not saved</source>
-   <translation type="unfinished" />
+   <translation>Die ungesicherten Änderungen vergessen</translation>
   </message>
   <message>
    <source>Forget the layout, the list of recent files and all preferences?</source>
-   <translation type="unfinished" />
+   <translation>Anordnung, Liste der letzten Dateien und alle Einstellungen vergessen?</translation>
   </message>
   <message>
    <source>Frames</source>
-   <translation type="unfinished" />
+   <translation>Bilder/s</translation>
   </message>
   <message>
    <source>Frames in a second</source>
-   <translation type="unfinished" />
+   <translation>Bilder je Sekunde</translation>
   </message>
   <message>
    <source>From [{unit}]</source>
-   <translation type="unfinished" />
+   <translation>Von [{unit}]</translation>
   </message>
   <message>
    <source>From the apex</source>
-   <translation type="unfinished" />
+   <translation>Von der Spitze</translation>
   </message>
   <message>
    <source>From the apex to the back face.</source>
-   <translation type="unfinished" />
+   <translation>Von der Spitze bis zur Rückfläche.</translation>
   </message>
   <message>
    <source>From the back face toward the apex; the toe limits it.</source>
-   <translation type="unfinished" />
+   <translation>Von der Rückfläche zur Spitze hin; die Zehe begrenzt sie.</translation>
   </message>
   <message>
    <source>From the heel</source>
-   <translation type="unfinished" />
+   <translation>Von der Ferse</translation>
   </message>
   <message>
    <source>From the toe to the heel.</source>
-   <translation type="unfinished" />
+   <translation>Von der Zehe zur Ferse.</translation>
   </message>
   <message>
    <source>From the wheel's pitch cone to its face cone; leave empty to take the taper's.</source>
-   <translation type="unfinished" />
+   <translation>Vom Teilkegel des Rads zu seinem Kopfkegel; leer: aus der Verjüngung.</translation>
   </message>
   <message>
    <source>From the wheel's root cone to its pitch cone; leave empty to take the taper's.</source>
-   <translation type="unfinished" />
+   <translation>Vom Fußkegel des Rads zu seinem Teilkegel; leer: aus der Verjüngung.</translation>
   </message>
   <message>
    <source>Front</source>
-   <translation type="unfinished" />
+   <translation>Vorn</translation>
   </message>
   <message>
    <source>Front crown to apex</source>
-   <translation type="unfinished" />
+   <translation>Vordere Kopfkante zur Spitze</translation>
   </message>
   <message>
    <source>G  wheel axial</source>
-   <translation type="unfinished" />
+   <translation>G  Rad axial</translation>
   </message>
   <message>
    <source>G&amp;lossary</source>
-   <translation type="unfinished" />
+   <translation>Gl&amp;ossar</translation>
   </message>
   <message>
    <source>GLB unit</source>
-   <translation type="unfinished" />
+   <translation>GLB-Einheit</translation>
   </message>
   <message>
    <source>GLB up</source>
-   <translation type="unfinished" />
+   <translation>GLB-Hochachse</translation>
   </message>
   <message>
    <source>Gap</source>
-   <translation type="unfinished" />
+   <translation>Spalt</translation>
   </message>
   <message>
    <source>Gap between the flanks beyond that at the mean point, with contours</source>
-   <translation type="unfinished" />
+   <translation>Abstand der Flanken über den im Mittelpunkt hinaus, mit Höhenlinien</translation>
   </message>
   <message>
    <source>Gaussian</source>
-   <translation type="unfinished" />
+   <translation>Gauß</translation>
   </message>
   <message>
    <source>Gaussian curvature</source>
-   <translation type="unfinished" />
+   <translation>Gaußsche Krümmung</translation>
   </message>
   <message>
    <source>Gaussian curvature of the surfaces and of theory</source>
-   <translation type="unfinished" />
+   <translation>Gaußsche Krümmung der Flächen und der Theorie</translation>
   </message>
   <message>
    <source>Gear designs (*.gear.toml);;All files (*)</source>
-   <translation type="unfinished" />
+   <translation>Radentwürfe (*.gear.toml);;Alle Dateien (*)</translation>
   </message>
   <message>
    <source>Gear ratio</source>
-   <translation type="unfinished" />
+   <translation>Übersetzung</translation>
   </message>
   <message>
    <source>GearStudio ended unexpectedly. Of these designs it kept edits that were not saved.</source>
-   <translation type="unfinished" />
+   <translation>GearStudio endete unerwartet. Von diesen Entwürfen hat es ungesicherte Änderungen bewahrt.</translation>
   </message>
   <message>
    <source>Generating line</source>
-   <translation type="unfinished" />
+   <translation>Erzeugende</translation>
   </message>
   <message>
    <source>Generation</source>
-   <translation type="unfinished" />
+   <translation>Erzeugung</translation>
   </message>
   <message>
    <source>Geometry data sheet</source>
-   <translation type="unfinished" />
+   <translation>Geometriedatenblatt</translation>
   </message>
   <message>
    <source>Geometry of both members; every value explains itself</source>
-   <translation type="unfinished" />
+   <translation>Geometrie beider Räder; jeder Wert erklärt sich</translation>
   </message>
   <message>
    <source>Give every command its usual keys</source>
-   <translation type="unfinished" />
+   <translation>Jedem Befehl die üblichen Tasten geben</translation>
   </message>
   <message>
    <source>Give every parameter its default back; can be undone</source>
-   <translation type="unfinished" />
+   <translation>Jedem Parameter die Vorgabe zurückgeben; umkehrbar</translation>
   </message>
   <message>
    <source>Give the analysis the room of the 3D views</source>
-   <translation type="unfinished" />
+   <translation>Der Auswertung den Platz der 3D-Ansichten geben</translation>
   </message>
   <message>
    <source>Give the command its usual keys</source>
-   <translation type="unfinished" />
+   <translation>Dem Befehl die üblichen Tasten geben</translation>
   </message>
   <message>
    <source>Give the command these keys</source>
-   <translation type="unfinished" />
+   <translation>Dem Befehl diese Tasten geben</translation>
   </message>
   <message>
    <source>Give the field with the cursor its default back</source>
-   <translation type="unfinished" />
+   <translation>Dem Feld mit dem Cursor die Vorgabe zurückgeben</translation>
   </message>
   <message>
    <source>Give the film up; no file is left</source>
-   <translation type="unfinished" />
+   <translation>Den Film aufgeben; keine Datei bleibt</translation>
   </message>
   <message>
    <source>Glossary</source>
-   <translation type="unfinished" />
+   <translation>Glossar</translation>
   </message>
   <message>
    <source>Go back to one of the last saves</source>
-   <translation type="unfinished" />
+   <translation>Zu einem der letzten Stände zurückkehren</translation>
   </message>
   <message>
    <source>Go back to the save of {date}</source>
-   <translation type="unfinished" />
+   <translation>Zum Stand vom {date} zurückkehren</translation>
   </message>
   <message>
    <source>Go on with the edits that were not saved</source>
-   <translation type="unfinished" />
+   <translation>Mit den ungesicherten Änderungen fortfahren</translation>
   </message>
   <message>
    <source>Graphics and memory take effect at the next start.</source>
-   <translation type="unfinished" />
+   <translation>Grafik und Speicher gelten ab dem nächsten Start.</translation>
   </message>
   <message>
    <source>Grey</source>
-   <translation type="unfinished" />
+   <translation>Grau</translation>
   </message>
   <message>
    <source>Greys</source>
-   <translation type="unfinished" />
+   <translation>Grautöne</translation>
   </message>
   <message>
    <source>Ground</source>
-   <translation type="unfinished" />
+   <translation>Grund</translation>
   </message>
   <message>
    <source>Group</source>
-   <translation type="unfinished" />
+   <translation>Gruppe</translation>
   </message>
   <message>
    <source>Guide</source>
-   <translation type="unfinished" />
+   <translation>Anleitung</translation>
   </message>
   <message>
    <source>Guide curve along the tip</source>
-   <translation type="unfinished" />
+   <translation>Führungskurve am Kopf</translation>
   </message>
   <message>
    <source>Guide curves</source>
-   <translation type="unfinished" />
+   <translation>Führungskurven</translation>
   </message>
   <message>
    <source>Guide curves follow the flank on tip and root.</source>
-   <translation type="unfinished" />
+   <translation>Führungskurven folgen der Flanke an Kopf und Fuß.</translation>
   </message>
   <message>
    <source>Half the tooth's thickness</source>
-   <translation type="unfinished" />
+   <translation>Halbe Zahndicke</translation>
   </message>
   <message>
    <source>Half the tooth, azimuth on the pitch cone</source>
-   <translation type="unfinished" />
+   <translation>Halber Zahn, Azimut auf dem Teilkegel</translation>
   </message>
   <message>
    <source>Hand of spiral</source>
-   <translation type="unfinished" />
+   <translation>Spiralrichtung</translation>
   </message>
   <message>
    <source>Hand of spiral of the pinion; the wheel has the other.</source>
-   <translation type="unfinished" />
+   <translation>Spiralrichtung des Ritzels; das Rad hat die andere.</translation>
   </message>
   <message>
    <source>Hand of the pinion</source>
-   <translation type="unfinished" />
+   <translation>Spiralrichtung des Ritzels</translation>
   </message>
   <message>
    <source>Headings</source>
-   <translation type="unfinished" />
+   <translation>Überschriften</translation>
   </message>
   <message>
    <source>Heel and toe profiles, sections and positions used</source>
-   <translation type="unfinished" />
+   <translation>Profile an Ferse und Zehe, benutzte Schnitte und Stellungen</translation>
   </message>
   <message>
    <source>Histogram</source>
-   <translation type="unfinished" />
+   <translation>Histogramm</translation>
   </message>
   <message>
    <source>How a whole gear is put together</source>
-   <translation type="unfinished" />
+   <translation>Wie ein ganzes Rad zusammengesetzt wird</translation>
   </message>
   <message>
    <source>How far the plane has rolled. It starts at 0 where the root lies below the base cone.</source>
-   <translation type="unfinished" />
+   <translation>Wie weit die Ebene gerollt ist. Sie beginnt bei 0, wo der Fuß unter dem Grundkegel liegt.</translation>
   </message>
   <message>
    <source>How far triangles may lie from the surfaces; left empty, 1e-4 of the outer cone distance</source>
-   <translation type="unfinished" />
+   <translation>Wie weit Dreiecke von den Flächen liegen dürfen; leer: 1e-4 der äußeren Teilkegellänge</translation>
   </message>
   <message>
    <source>How many colours</source>
-   <translation type="unfinished" />
+   <translation>Wie viele Farben</translation>
   </message>
   <message>
    <source>How many points are taken of a CAD model's flanks</source>
-   <translation type="unfinished" />
+   <translation>Wie viele Punkte von den Flanken eines CAD-Modells genommen werden</translation>
   </message>
   <message>
    <source>How much of the layer one sees; as made, some layers are glass</source>
-   <translation type="unfinished" />
+   <translation>Wie viel man von der Ebene sieht; manche sind von sich aus gläsern</translation>
   </message>
   <message>
    <source>How often which deviation occurs</source>
-   <translation type="unfinished" />
+   <translation>Wie oft welche Abweichung vorkommt</translation>
   </message>
   <message>
    <source>How the value came about</source>
-   <translation type="unfinished" />
+   <translation>Wie der Wert zustande kam</translation>
   </message>
   <message>
    <source>How they are written</source>
-   <translation type="unfinished" />
+   <translation>Wie sie geschrieben werden</translation>
   </message>
   <message>
    <source>How to use the studio</source>
-   <translation type="unfinished" />
+   <translation>So wird das Studio benutzt</translation>
   </message>
   <message>
    <source>Hub diameter</source>
-   <translation type="unfinished" />
+   <translation>Nabendurchmesser</translation>
   </message>
   <message>
    <source>Hub length</source>
-   <translation type="unfinished" />
+   <translation>Nabenlänge</translation>
+  </message>
+  <message>
+   <source>Hypoid, all-wheel drive at 80°</source>
+   <translation>Hypoid, Allradantrieb bei 80°</translation>
+  </message>
+  <message>
+   <source>Hypoid, heavy truck</source>
+   <translation>Hypoid, schwerer Lkw</translation>
+  </message>
+  <message>
+   <source>Hypoid, negative offset</source>
+   <translation>Hypoid, negativer Achsversatz</translation>
+  </message>
+  <message>
+   <source>Hypoid, passenger car</source>
+   <translation>Hypoid, Pkw</translation>
+  </message>
+  <message>
+   <source>Hypoid, pick-up</source>
+   <translation>Hypoid, Pick-up</translation>
   </message>
   <message>
    <source>IGES bodies</source>
-   <translation type="unfinished" />
+   <translation>IGES-Körper</translation>
   </message>
   <message>
    <source>IGES unit</source>
-   <translation type="unfinished" />
+   <translation>IGES-Einheit</translation>
   </message>
   <message>
    <source>ISO 23509:2016, sample F.2, spiral bevel pair 14/39</source>
-   <translation type="unfinished" />
+   <translation>ISO 23509:2016, Beispiel F.2, Spiralkegelradpaar 14/39</translation>
   </message>
   <message>
    <source>In the chosen material</source>
-   <translation type="unfinished" />
+   <translation>Im gewählten Werkstoff</translation>
   </message>
   <message>
    <source>In the design file: {key}</source>
-   <translation type="unfinished" />
+   <translation>In der Entwurfsdatei: {key}</translation>
   </message>
   <message>
    <source>Inches</source>
-   <translation type="unfinished" />
+   <translation>Zoll</translation>
   </message>
   <message>
    <source>Inertia x</source>
-   <translation type="unfinished" />
+   <translation>Trägheit x</translation>
   </message>
   <message>
    <source>Inertia z</source>
-   <translation type="unfinished" />
+   <translation>Trägheit z</translation>
   </message>
   <message>
    <source>Inner addendum</source>
-   <translation type="unfinished" />
+   <translation>Innere Kopfhöhe</translation>
   </message>
   <message>
    <source>Inner clearance</source>
-   <translation type="unfinished" />
+   <translation>Inneres Kopfspiel</translation>
   </message>
   <message>
    <source>Inner cone distance</source>
-   <translation type="unfinished" />
+   <translation>Innere Teilkegellänge</translation>
   </message>
   <message>
    <source>Inner dedendum</source>
-   <translation type="unfinished" />
+   <translation>Innere Fußhöhe</translation>
   </message>
   <message>
    <source>Inner pitch diameter</source>
-   <translation type="unfinished" />
+   <translation>Innerer Teilkreisdurchmesser</translation>
   </message>
   <message>
    <source>Inner root diameter</source>
-   <translation type="unfinished" />
+   <translation>Innerer Fußkreisdurchmesser</translation>
   </message>
   <message>
    <source>Inner tip diameter</source>
-   <translation type="unfinished" />
+   <translation>Innerer Kopfkreisdurchmesser</translation>
   </message>
   <message>
    <source>Inner whole depth</source>
-   <translation type="unfinished" />
+   <translation>Innere Zahnhöhe</translation>
   </message>
   <message>
    <source>Iso23509</source>
-   <translation type="unfinished" />
+   <translation>ISO 23509</translation>
   </message>
   <message>
    <source>Isometric</source>
-   <translation type="unfinished" />
+   <translation>Isometrisch</translation>
   </message>
   <message>
    <source>It could not be put aside.</source>
-   <translation type="unfinished" />
+   <translation>Sie konnte nicht beiseitegelegt werden.</translation>
   </message>
   <message>
    <source>It is kept as {file}.</source>
-   <translation type="unfinished" />
+   <translation>Sie liegt als {file} bereit.</translation>
   </message>
   <message>
    <source>It needs “{choice}” as {field}.</source>
-   <translation type="unfinished" />
+   <translation>Braucht „{choice}“ bei: {field}.</translation>
   </message>
   <message>
    <source>KHK gear technical reference, Gleason spiral bevel pair 20/40</source>
-   <translation type="unfinished" />
+   <translation>KHK-Zahnradtechnik, Gleason-Spiralkegelradpaar 20/40</translation>
   </message>
   <message>
    <source>Keep a record of the check beside each file</source>
-   <translation type="unfinished" />
+   <translation>Neben jeder Datei einen Prüfbericht ablegen</translation>
   </message>
   <message>
    <source>Keep everything; File ▸ Recover unsaved work, or the next start, asks again</source>
-   <translation type="unfinished" />
+   <translation>Alles behalten; Datei ▸ Ungesicherte Arbeit wiederherstellen oder der nächste Start fragt wieder</translation>
   </message>
   <message>
    <source>Keys</source>
-   <translation type="unfinished" />
+   <translation>Tasten</translation>
   </message>
   <message>
    <source>Keys of all commands</source>
-   <translation type="unfinished" />
+   <translation>Tasten aller Befehle</translation>
   </message>
   <message>
    <source>Lamps</source>
-   <translation type="unfinished" />
+   <translation>Lampen</translation>
   </message>
   <message>
    <source>Language</source>
-   <translation type="unfinished" />
+   <translation>Sprache</translation>
   </message>
   <message>
    <source>Largest</source>
-   <translation type="unfinished" />
+   <translation>Größte</translation>
   </message>
   <message>
    <source>Largest angle between neighbouring chords; left empty, the distance alone decides</source>
-   <translation type="unfinished" />
+   <translation>Größter Winkel zwischen benachbarten Sehnen; leer: nur der Abstand entscheidet</translation>
   </message>
   <message>
    <source>Largest between neighbouring faces</source>
-   <translation type="unfinished" />
+   <translation>Größter zwischen benachbarten Flächen</translation>
   </message>
   <message>
    <source>Largest deviation against poles and seconds of each method</source>
-   <translation type="unfinished" />
+   <translation>Größte Abweichung jeder Methode über Polen und Sekunden</translation>
   </message>
   <message>
    <source>Largest deviation from the exact flank, over both flanks</source>
-   <translation type="unfinished" />
+   <translation>Größte Abweichung von der exakten Flanke, über beide Flanken</translation>
   </message>
   <message>
    <source>Largest deviation over both flanks</source>
-   <translation type="unfinished" />
+   <translation>Größte Abweichung über beide Flanken</translation>
   </message>
   <message>
    <source>Largest principal</source>
-   <translation type="unfinished" />
+   <translation>Größte</translation>
   </message>
   <message>
    <source>Layers</source>
-   <translation type="unfinished" />
+   <translation>Ebenen</translation>
   </message>
   <message>
    <source>Leave it empty to use the derived value shown in grey.</source>
-   <translation type="unfinished" />
+   <translation>Leer lassen für den grau gezeigten abgeleiteten Wert.</translation>
   </message>
   <message>
    <source>Leave out what both designs have in common</source>
-   <translation type="unfinished" />
+   <translation>Weglassen, was beide Entwürfe gemeinsam haben</translation>
   </message>
   <message>
    <source>Left</source>
-   <translation type="unfinished" />
+   <translation>Links</translation>
   </message>
   <message>
    <source>Left hand</source>
-   <translation type="unfinished" />
+   <translation>Linkssteigend</translation>
   </message>
   <message>
    <source>Length</source>
-   <translation type="unfinished" />
+   <translation>Länge</translation>
   </message>
   <message>
    <source>Length of the combs; teeth longer than three typical ones are cut off</source>
-   <translation type="unfinished" />
+   <translation>Länge der Kämme; Zähne über drei übliche hinaus werden gekappt</translation>
   </message>
   <message>
    <source>Length of the film</source>
-   <translation type="unfinished" />
+   <translation>Länge des Films</translation>
   </message>
   <message>
    <source>Length of the shank behind the back face, 0 for none.</source>
-   <translation type="unfinished" />
+   <translation>Länge des Schafts hinter der Rückfläche, 0 für keinen.</translation>
   </message>
   <message>
    <source>Lengths in</source>
-   <translation type="unfinished" />
+   <translation>Längen in</translation>
   </message>
   <message>
    <source>Lengthwise</source>
-   <translation type="unfinished" />
+   <translation>Längs</translation>
   </message>
   <message>
    <source>Lengthwise crown</source>
-   <translation type="unfinished" />
+   <translation>Breitenballigkeit</translation>
   </message>
   <message>
    <source>Lengthwise crowning</source>
-   <translation type="unfinished" />
+   <translation>Breitenballigkeit</translation>
   </message>
   <message>
    <source>Lengthwise curve</source>
-   <translation type="unfinished" />
+   <translation>Flankenlinie</translation>
   </message>
   <message>
    <source>Less theory</source>
-   <translation type="unfinished" />
+   <translation>Abzüglich Theorie</translation>
   </message>
   <message>
    <source>Less theory, in %</source>
-   <translation type="unfinished" />
+   <translation>Abzüglich Theorie, in %</translation>
   </message>
   <message>
    <source>Let the range follow the values shown</source>
-   <translation type="unfinished" />
+   <translation>Der Bereich folgt den gezeigten Werten</translation>
   </message>
   <message>
    <source>Letters of a command, or a key such as Ctrl+S</source>
-   <translation type="unfinished" />
+   <translation>Buchstaben eines Befehls, oder eine Taste wie Strg+S</translation>
   </message>
   <message>
    <source>Level</source>
-   <translation type="unfinished" />
+   <translation>Stufe</translation>
   </message>
   <message>
    <source>Light</source>
-   <translation type="unfinished" />
+   <translation>Hell</translation>
   </message>
   <message>
    <source>Limit pressure angle factor</source>
-   <translation type="unfinished" />
+   <translation>Faktor des Grenzeingriffswinkels</translation>
   </message>
   <message>
    <source>Linear</source>
-   <translation type="unfinished" />
+   <translation>Linear</translation>
   </message>
   <message>
    <source>Lines of equal value at the marks of the colour scale</source>
-   <translation type="unfinished" />
+   <translation>Linien gleichen Werts an den Marken der Farbskala</translation>
   </message>
   <message>
    <source>List and change the keys of all commands</source>
-   <translation type="unfinished" />
+   <translation>Die Tasten aller Befehle zeigen und ändern</translation>
   </message>
   <message>
    <source>Log</source>
-   <translation type="unfinished" />
+   <translation>Log</translation>
   </message>
   <message>
    <source>Logarithmic pair</source>
-   <translation type="unfinished" />
+   <translation>Logarithmisches Paar</translation>
   </message>
   <message>
    <source>Logarithmic spiral</source>
-   <translation type="unfinished" />
+   <translation>Logarithmische Spirale</translation>
   </message>
   <message>
    <source>Longest: {length}; up is metal added</source>
-   <translation type="unfinished" />
+   <translation>Längster: {length}; oben ist Aufmaß</translation>
   </message>
   <message>
    <source>Look for edits that a window which ended unexpectedly had not saved</source>
-   <translation type="unfinished" />
+   <translation>Nach ungesicherten Änderungen eines unerwartet beendeten Fensters suchen</translation>
   </message>
   <message>
    <source>Lower end of the scale</source>
-   <translation type="unfinished" />
+   <translation>Unteres Ende der Skala</translation>
   </message>
   <message>
    <source>Lowest … highest</source>
-   <translation type="unfinished" />
+   <translation>Kleinste … größte</translation>
   </message>
   <message>
    <source>Map</source>
-   <translation type="unfinished" />
+   <translation>Karte</translation>
   </message>
   <message>
    <source>Maps and charts of</source>
-   <translation type="unfinished" />
+   <translation>Karten und Diagramme von</translation>
   </message>
   <message>
    <source>Margins</source>
-   <translation type="unfinished" />
+   <translation>Reserven</translation>
   </message>
   <message>
    <source>Mass</source>
-   <translation type="unfinished" />
+   <translation>Masse</translation>
   </message>
   <message>
    <source>Material</source>
-   <translation type="unfinished" />
+   <translation>Werkstoff</translation>
   </message>
   <message>
    <source>Material that the mass is computed with</source>
-   <translation type="unfinished" />
+   <translation>Werkstoff, mit dem die Masse berechnet wird</translation>
   </message>
   <message>
    <source>Max</source>
-   <translation type="unfinished" />
+   <translation>Max</translation>
   </message>
   <message>
    <source>Mean</source>
-   <translation type="unfinished" />
+   <translation>Mittel</translation>
   </message>
   <message>
    <source>Mean addendum</source>
-   <translation type="unfinished" />
+   <translation>Mittlere Kopfhöhe</translation>
   </message>
   <message>
    <source>Mean addendum factor</source>
-   <translation type="unfinished" />
+   <translation>Mittlerer Kopfhöhenfaktor</translation>
   </message>
   <message>
    <source>Mean clearance</source>
-   <translation type="unfinished" />
+   <translation>Mittleres Kopfspiel</translation>
   </message>
   <message>
    <source>Mean cone distance</source>
-   <translation type="unfinished" />
+   <translation>Mittlere Teilkegellänge</translation>
   </message>
   <message>
    <source>Mean curvature</source>
-   <translation type="unfinished" />
+   <translation>Mittlere Krümmung</translation>
   </message>
   <message>
    <source>Mean dedendum</source>
-   <translation type="unfinished" />
+   <translation>Mittlere Fußhöhe</translation>
   </message>
   <message>
    <source>Mean normal module</source>
-   <translation type="unfinished" />
+   <translation>Mittlerer Normalmodul</translation>
   </message>
   <message>
    <source>Mean of the absolute deviations</source>
-   <translation type="unfinished" />
+   <translation>Mittel der Beträge der Abweichungen</translation>
   </message>
   <message>
    <source>Mean pitch diameter</source>
-   <translation type="unfinished" />
+   <translation>Mittlerer Teilkreisdurchmesser</translation>
   </message>
   <message>
    <source>Mean root diameter</source>
-   <translation type="unfinished" />
+   <translation>Mittlerer Fußkreisdurchmesser</translation>
   </message>
   <message>
    <source>Mean tip diameter</source>
-   <translation type="unfinished" />
+   <translation>Mittlerer Kopfkreisdurchmesser</translation>
   </message>
   <message>
    <source>Mean whole depth</source>
-   <translation type="unfinished" />
+   <translation>Mittlere Zahnhöhe</translation>
   </message>
   <message>
    <source>Mean, pitch cone</source>
-   <translation type="unfinished" />
+   <translation>Mitte, Teilkegel</translation>
   </message>
   <message>
    <source>Mean: at the mean point on the pitch cone. Toe: at the toe on the base cone, as the paper gives it.</source>
-   <translation type="unfinished" />
+   <translation>Mitte: im Mittelpunkt auf dem Teilkegel. Zehe: an der Zehe auf dem Grundkegel, wie in der Arbeit.</translation>
   </message>
   <message>
    <source>Measure</source>
-   <translation type="unfinished" />
+   <translation>Messen</translation>
   </message>
   <message>
    <source>Measured in the tangent plane; it is the arc ψ at which the involute crosses the pitch cone.</source>
-   <translation type="unfinished" />
+   <translation>In der Tangentialebene gemessen; es ist der Bogen ψ, bei dem die Evolvente den Teilkegel schneidet.</translation>
   </message>
   <message>
    <source>Measured points</source>
-   <translation type="unfinished" />
+   <translation>Messpunkte</translation>
   </message>
   <message>
    <source>Measured points against theory</source>
-   <translation type="unfinished" />
+   <translation>Messpunkte gegen Theorie</translation>
   </message>
   <message>
    <source>Measured points and models</source>
-   <translation type="unfinished" />
+   <translation>Messpunkte und Modelle</translation>
   </message>
   <message>
    <source>Measured points on the gear, coloured by their deviation</source>
-   <translation type="unfinished" />
+   <translation>Messpunkte auf dem Rad, nach Abweichung gefärbt</translation>
   </message>
   <message>
    <source>Measurement</source>
-   <translation type="unfinished" />
+   <translation>Messung</translation>
   </message>
   <message>
    <source>Member</source>
-   <translation type="unfinished" />
+   <translation>Rad</translation>
   </message>
   <message>
    <source>Member whose mean spiral angle is given; both have the same without an offset.</source>
-   <translation type="unfinished" />
+   <translation>Rad, dessen mittlerer Spiralwinkel gegeben ist; ohne Achsversatz haben beide denselben.</translation>
   </message>
   <message>
    <source>Memory of the CAD kernel</source>
-   <translation type="unfinished" />
+   <translation>Speicher des CAD-Kerns</translation>
   </message>
   <message>
    <source>Memory, graphics and recovery</source>
-   <translation type="unfinished" />
+   <translation>Speicher, Grafik und Wiederherstellung</translation>
   </message>
   <message>
    <source>Menu</source>
-   <translation type="unfinished" />
+   <translation>Menü</translation>
   </message>
   <message>
    <source>Metal at the corners root-toe and tip-heel more than at the other two.</source>
-   <translation type="unfinished" />
+   <translation>Aufmaß an den Ecken Fuß-Zehe und Kopf-Ferse, mehr als an den anderen beiden.</translation>
   </message>
   <message>
    <source>Metal at the heel more than at the toe, over the whole face; nothing changes in the middle.</source>
-   <translation type="unfinished" />
+   <translation>Aufmaß an der Ferse gegenüber der Zehe, über die ganze Breite; die Mitte bleibt.</translation>
   </message>
   <message>
    <source>Metal at the tip more than at the root, over the whole depth of the flank; nothing changes in the middle.</source>
-   <translation type="unfinished" />
+   <translation>Aufmaß am Kopf gegenüber dem Fuß, über die ganze Flankenhöhe; die Mitte bleibt.</translation>
   </message>
   <message>
    <source>Metal taken off at root and tip of the flank, rising as a parabola from the middle of its depth.</source>
-   <translation type="unfinished" />
+   <translation>An Fuß und Kopf abgetragenes Metall, parabolisch von der Mitte der Flankenhöhe aus.</translation>
   </message>
   <message>
    <source>Metal taken off at the lower edge of the flank; it fades out as a cube, without a kink.</source>
-   <translation type="unfinished" />
+   <translation>Am unteren Rand der Flanke abgetragenes Metall; es klingt kubisch aus, ohne Knick.</translation>
   </message>
   <message>
    <source>Metal taken off at the tip; it grows from where it starts as a cube, without a kink in slope or curvature.</source>
-   <translation type="unfinished" />
+   <translation>Am Kopf abgetragenes Metall; es wächst ab dem Beginn kubisch, ohne Knick in Steigung oder Krümmung.</translation>
   </message>
   <message>
    <source>Metal taken off at toe and heel, rising as a parabola from the middle of the face.</source>
-   <translation type="unfinished" />
+   <translation>An Zehe und Ferse abgetragenes Metall, parabolisch von der Mitte der Breite aus.</translation>
   </message>
   <message>
    <source>Method</source>
-   <translation type="unfinished" />
+   <translation>Methode</translation>
   </message>
   <message>
    <source>Method comparison</source>
-   <translation type="unfinished" />
+   <translation>Methodenvergleich</translation>
   </message>
   <message>
    <source>Methods</source>
-   <translation type="unfinished" />
+   <translation>Methoden</translation>
   </message>
   <message>
    <source>Micro-geometry</source>
-   <translation type="unfinished" />
+   <translation>Mikrogeometrie</translation>
   </message>
   <message>
    <source>Micro-geometry: pinion, concave</source>
-   <translation type="unfinished" />
+   <translation>Mikrogeometrie: Ritzel, konkav</translation>
   </message>
   <message>
    <source>Micro-geometry: pinion, convex</source>
-   <translation type="unfinished" />
+   <translation>Mikrogeometrie: Ritzel, konvex</translation>
   </message>
   <message>
    <source>Micro-geometry: wheel, concave</source>
-   <translation type="unfinished" />
+   <translation>Mikrogeometrie: Rad, konkav</translation>
   </message>
   <message>
    <source>Micro-geometry: wheel, convex</source>
-   <translation type="unfinished" />
+   <translation>Mikrogeometrie: Rad, konvex</translation>
   </message>
   <message>
    <source>Millimetres</source>
-   <translation type="unfinished" />
+   <translation>Millimeter</translation>
   </message>
   <message>
    <source>Modified contact ratio</source>
-   <translation type="unfinished" />
+   <translation>Modifizierte Überdeckung</translation>
   </message>
   <message>
    <source>Motion</source>
-   <translation type="unfinished" />
+   <translation>Bewegung</translation>
   </message>
   <message>
    <source>Mounting distance</source>
-   <translation type="unfinished" />
+   <translation>Einbaumaß</translation>
   </message>
   <message>
    <source>NURBS surface</source>
-   <translation type="unfinished" />
+   <translation>NURBS-Fläche</translation>
   </message>
   <message>
    <source>Name</source>
-   <translation type="unfinished" />
+   <translation>Name</translation>
   </message>
   <message>
    <source>Names</source>
-   <translation type="unfinished" />
+   <translation>Namen</translation>
   </message>
   <message>
    <source>Names of the members and of every face</source>
-   <translation type="unfinished" />
+   <translation>Namen der Räder und jeder Fläche</translation>
   </message>
   <message>
    <source>New &amp;window</source>
-   <translation type="unfinished" />
+   <translation>Neues &amp;Fenster</translation>
   </message>
   <message>
    <source>New key</source>
-   <translation type="unfinished" />
+   <translation>Neue Tasten</translation>
   </message>
   <message>
    <source>Next</source>
-   <translation type="unfinished" />
+   <translation>Weiter</translation>
   </message>
   <message>
    <source>Next place where the words stand</source>
-   <translation type="unfinished" />
+   <translation>Nächste Fundstelle</translation>
   </message>
   <message>
    <source>No 3D views</source>
-   <translation type="unfinished" />
+   <translation>Keine 3D-Ansichten</translation>
   </message>
   <message>
    <source>No contact</source>
-   <translation type="unfinished" />
+   <translation>Kein Kontakt</translation>
   </message>
   <message>
    <source>No limit</source>
-   <translation type="unfinished" />
+   <translation>Unbegrenzt</translation>
   </message>
   <message>
    <source>No misalignment, usual marking compound</source>
-   <translation type="unfinished" />
+   <translation>Keine Einbaufehler, übliche Tuschierpaste</translation>
   </message>
   <message>
    <source>No parameter has these words</source>
-   <translation type="unfinished" />
+   <translation>Kein Parameter enthält diese Wörter</translation>
   </message>
   <message>
    <source>No picture: {why}</source>
-   <translation type="unfinished" />
+   <translation>Kein Bild: {why}</translation>
   </message>
   <message>
    <source>No points</source>
-   <translation type="unfinished" />
+   <translation>Keine Punkte</translation>
   </message>
   <message>
    <source>No points yet: open a file of measured points in mm, or a STEP file; apex at the origin, axis along z.</source>
-   <translation type="unfinished" />
+   <translation>Noch keine Punkte: Datei mit Messpunkten in mm oder STEP-Datei öffnen; Spitze im Ursprung, Achse entlang z.</translation>
   </message>
   <message>
    <source>Nominal grid…</source>
-   <translation type="unfinished" />
+   <translation>Sollnetz…</translation>
   </message>
   <message>
    <source>Normal chordal thickness, mean</source>
-   <translation type="unfinished" />
+   <translation>Zahndickensehne im Normalschnitt, Mitte</translation>
   </message>
   <message>
    <source>Normal circular thickness, mean</source>
-   <translation type="unfinished" />
+   <translation>Zahndicke im Normalschnitt, Mitte</translation>
   </message>
   <message>
    <source>Normal pressure angle, mean point</source>
-   <translation type="unfinished" />
+   <translation>Normaleingriffswinkel, Mittelpunkt</translation>
   </message>
   <message>
    <source>Normal to the flank, positive where metal is added; exact to second order, beyond which the foot point is iterated.</source>
-   <translation type="unfinished" />
+   <translation>Normal zur Flanke, positiv bei Aufmaß; genau bis zur zweiten Ordnung, darüber hinaus wird der Fußpunkt iteriert.</translation>
   </message>
   <message>
    <source>Normal, mean point</source>
-   <translation type="unfinished" />
+   <translation>Normal, Mittelpunkt</translation>
   </message>
   <message>
    <source>Normal: in the normal section at the mean point, as standards give it. Transverse: as the paper gives it.</source>
-   <translation type="unfinished" />
+   <translation>Normal: im Normalschnitt des Mittelpunkts, wie in Normen. Transversal: wie in der Arbeit.</translation>
   </message>
   <message>
    <source>Normals</source>
-   <translation type="unfinished" />
+   <translation>Normalen</translation>
   </message>
   <message>
    <source>Not built yet</source>
-   <translation type="unfinished" />
+   <translation>Noch nicht gebaut</translation>
   </message>
   <message>
    <source>Not used now.</source>
-   <translation type="unfinished" />
+   <translation>Jetzt nicht benutzt.</translation>
   </message>
   <message>
    <source>Nothing is lost: save the design in another folder.</source>
-   <translation type="unfinished" />
+   <translation>Nichts ist verloren: den Entwurf in einem anderen Ordner speichern.</translation>
   </message>
   <message>
    <source>Now: {value}</source>
-   <translation type="unfinished" />
+   <translation>Jetzt: {value}</translation>
   </message>
   <message>
    <source>Number</source>
-   <translation type="unfinished" />
+   <translation>Anzahl</translation>
   </message>
   <message>
    <source>Number of faces of the solid</source>
-   <translation type="unfinished" />
+   <translation>Anzahl der Flächen des Körpers</translation>
   </message>
   <message>
    <source>Number of stripes</source>
-   <translation type="unfinished" />
+   <translation>Anzahl der Streifen</translation>
   </message>
   <message>
    <source>Number of teeth</source>
-   <translation type="unfinished" />
+   <translation>Zähnezahl</translation>
   </message>
   <message>
    <source>Number of teeth of the pinion.</source>
-   <translation type="unfinished" />
+   <translation>Zähnezahl des Ritzels.</translation>
   </message>
   <message>
    <source>Number of teeth of the wheel.</source>
-   <translation type="unfinished" />
+   <translation>Zähnezahl des Rads.</translation>
   </message>
   <message>
    <source>Obtuse shafts, logarithmic spiral</source>
-   <translation type="unfinished" />
+   <translation>Stumpfer Achsenwinkel, logarithmische Spirale</translation>
   </message>
   <message>
    <source>Of mass, from the apex</source>
-   <translation type="unfinished" />
+   <translation>Von der Spitze aus</translation>
   </message>
   <message>
    <source>Of the disc between hub and rim, from the back face.</source>
-   <translation type="unfinished" />
+   <translation>Der Scheibe zwischen Nabe und Kranz, von der Rückfläche.</translation>
   </message>
   <message>
    <source>Of the edges between tip and ends of the teeth, turned over all teeth at toe and heel; its legs along the face cone and along the end, 0 for none.</source>
-   <translation type="unfinished" />
+   <translation>Der Kanten zwischen Kopf und Zahnenden, an Zehe und Ferse über alle Zähne gedreht; die Schenkel liegen am Kopfkegel und am Ende, 0 für keine.</translation>
   </message>
   <message>
    <source>Of the whole surface</source>
-   <translation type="unfinished" />
+   <translation>Der ganzen Oberfläche</translation>
   </message>
   <message>
    <source>Offset</source>
-   <translation type="unfinished" />
+   <translation>Achsversatz</translation>
   </message>
   <message>
    <source>On by a twelfth of a tooth</source>
-   <translation type="unfinished" />
+   <translation>Um eine Zwölftelteilung weiter</translation>
   </message>
   <message>
    <source>One camera for all</source>
-   <translation type="unfinished" />
+   <translation>Eine Kamera für alle</translation>
   </message>
   <message>
    <source>One closed shell</source>
-   <translation type="unfinished" />
+   <translation>Eine geschlossene Hülle</translation>
   </message>
   <message>
    <source>One of: {choices}.</source>
-   <translation type="unfinished" />
+   <translation>Eines von: {choices}.</translation>
   </message>
   <message>
    <source>One tooth</source>
-   <translation type="unfinished" />
+   <translation>Ein Zahn</translation>
   </message>
   <message>
    <source>One tooth was measured: there is no pitch to compare</source>
-   <translation type="unfinished" />
+   <translation>Ein Zahn wurde gemessen: es gibt keine Teilung zu vergleichen</translation>
   </message>
   <message>
    <source>One unit of the file is a metre, as glTF asks; mm is for programs that do not scale</source>
-   <translation type="unfinished" />
+   <translation>Eine Einheit der Datei ist ein Meter, wie glTF es verlangt; mm für Programme, die nicht skalieren</translation>
   </message>
   <message>
    <source>Only one window can save it. Read-only, Save asks for another name; a copy starts as a new design.</source>
-   <translation type="unfinished" />
+   <translation>Nur ein Fenster kann ihn speichern. Schreibgeschützt fragt Speichern nach einem anderen Namen; eine Kopie beginnt als neuer Entwurf.</translation>
   </message>
   <message>
    <source>Only the Archimedean spiral can take its angle at the toe.</source>
-   <translation type="unfinished" />
+   <translation>Nur die archimedische Spirale kann ihren Winkel an der Zehe haben.</translation>
   </message>
   <message>
    <source>Only the rolled arc is divided by sin δ_b: the second term is an angle about the axis already.</source>
-   <translation type="unfinished" />
+   <translation>Nur der abgerollte Bogen wird durch sin δ_b geteilt: der zweite Term ist schon ein Winkel um die Achse.</translation>
   </message>
   <message>
    <source>Opacity</source>
-   <translation type="unfinished" />
+   <translation>Deckkraft</translation>
   </message>
   <message>
    <source>Open &amp;read-only</source>
-   <translation type="unfinished" />
+   <translation>&amp;Schreibgeschützt öffnen</translation>
   </message>
   <message>
    <source>Open &amp;recent</source>
-   <translation type="unfinished" />
+   <translation>&amp;Zuletzt benutzt</translation>
   </message>
   <message>
    <source>Open &amp;recovered</source>
-   <translation type="unfinished" />
+   <translation>&amp;Wiederhergestelltes öffnen</translation>
   </message>
   <message>
    <source>Open &amp;saved</source>
-   <translation type="unfinished" />
+   <translation>&amp;Gespeichertes öffnen</translation>
   </message>
   <message>
    <source>Open a &amp;copy</source>
-   <translation type="unfinished" />
+   <translation>&amp;Kopie öffnen</translation>
   </message>
   <message>
    <source>Open a design file (.gear.toml)</source>
-   <translation type="unfinished" />
+   <translation>Eine Entwurfsdatei öffnen (.gear.toml)</translation>
   </message>
   <message>
    <source>Open another window, with a CAD process of its own</source>
-   <translation type="unfinished" />
+   <translation>Ein weiteres Fenster mit eigenem CAD-Prozess öffnen</translation>
   </message>
   <message>
    <source>Open design</source>
-   <translation type="unfinished" />
+   <translation>Entwurf öffnen</translation>
   </message>
   <message>
    <source>Open measured points or a STEP file</source>
-   <translation type="unfinished" />
+   <translation>Messpunkte oder STEP-Datei öffnen</translation>
   </message>
   <message>
    <source>Open points or STEP…</source>
-   <translation type="unfinished" />
+   <translation>Punkte oder STEP öffnen…</translation>
   </message>
   <message>
    <source>Open the file as it was saved; the recovered edits stay</source>
-   <translation type="unfinished" />
+   <translation>Die Datei öffnen, wie sie gespeichert wurde; das Wiederhergestellte bleibt</translation>
   </message>
   <message>
    <source>OpenGL {needed} is needed, and {renderer} offers {version}.</source>
-   <translation type="unfinished" />
+   <translation>OpenGL {needed} ist nötig, {renderer} bietet {version}.</translation>
   </message>
   <message>
    <source>Optimised</source>
-   <translation type="unfinished" />
+   <translation>Optimiert</translation>
   </message>
   <message>
    <source>Other</source>
-   <translation type="unfinished" />
+   <translation>Anderer</translation>
   </message>
   <message>
    <source>Other design</source>
-   <translation type="unfinished" />
+   <translation>Anderer Entwurf</translation>
   </message>
   <message>
    <source>Out of date: the design has changed</source>
-   <translation type="unfinished" />
+   <translation>Veraltet: der Entwurf wurde geändert</translation>
+  </message>
+  <message>
+   <source>Out of date: the design was changed after these pages were made. Update the preview.</source>
+   <translation>Veraltet: der Entwurf wurde nach diesen Seiten geändert. Vorschau erneuern.</translation>
   </message>
   <message>
    <source>Outer addendum</source>
-   <translation type="unfinished" />
+   <translation>Äußere Kopfhöhe</translation>
   </message>
   <message>
    <source>Outer clearance</source>
-   <translation type="unfinished" />
+   <translation>Äußeres Kopfspiel</translation>
   </message>
   <message>
    <source>Outer cone distance</source>
-   <translation type="unfinished" />
+   <translation>Äußere Teilkegellänge</translation>
   </message>
   <message>
    <source>Outer dedendum</source>
-   <translation type="unfinished" />
+   <translation>Äußere Fußhöhe</translation>
   </message>
   <message>
    <source>Outer diameter of the hub, on the side of the apex.</source>
-   <translation type="unfinished" />
+   <translation>Außendurchmesser der Nabe, auf der Seite der Spitze.</translation>
   </message>
   <message>
    <source>Outer module</source>
-   <translation type="unfinished" />
+   <translation>Außenmodul</translation>
   </message>
   <message>
    <source>Outer module: the factors of the tooth, over the outer module at the heel. ISO 23509: factors of the mean normal module at the mean point, with a taper.</source>
-   <translation type="unfinished" />
+   <translation>Außenmodul: die Faktoren des Zahns, mal Außenmodul an der Ferse. ISO 23509: Faktoren des mittleren Normalmoduls im Mittelpunkt, mit Verjüngung.</translation>
   </message>
   <message>
    <source>Outer pitch diameter</source>
-   <translation type="unfinished" />
+   <translation>Äußerer Teilkreisdurchmesser</translation>
   </message>
   <message>
    <source>Outer root diameter</source>
-   <translation type="unfinished" />
+   <translation>Äußerer Fußkreisdurchmesser</translation>
   </message>
   <message>
    <source>Outer tip diameter</source>
-   <translation type="unfinished" />
+   <translation>Äußerer Kopfkreisdurchmesser</translation>
   </message>
   <message>
    <source>Outer transverse module</source>
-   <translation type="unfinished" />
+   <translation>Äußerer Stirnmodul</translation>
   </message>
   <message>
    <source>Outer transverse module: heel pitch diameter over teeth.</source>
-   <translation type="unfinished" />
+   <translation>Äußerer Stirnmodul: Teilkreisdurchmesser an der Ferse durch Zähnezahl.</translation>
   </message>
   <message>
    <source>Outer whole depth</source>
-   <translation type="unfinished" />
+   <translation>Äußere Zahnhöhe</translation>
   </message>
   <message>
    <source>Overlap ratio</source>
-   <translation type="unfinished" />
+   <translation>Sprungüberdeckung</translation>
   </message>
   <message>
    <source>P  pinion axial</source>
-   <translation type="unfinished" />
+   <translation>P  Ritzel axial</translation>
   </message>
   <message>
    <source>PDF files (*.pdf)</source>
-   <translation type="unfinished" />
+   <translation>PDF-Dateien (*.pdf)</translation>
   </message>
   <message>
    <source>Page</source>
-   <translation type="unfinished" />
+   <translation>Seite</translation>
   </message>
   <message>
    <source>Page {number} of {count}</source>
-   <translation type="unfinished" />
+   <translation>Seite {number} von {count}</translation>
   </message>
   <message>
    <source>Pages of the preferences</source>
-   <translation type="unfinished" />
+   <translation>Seiten der Einstellungen</translation>
   </message>
   <message>
    <source>Pair</source>
-   <translation type="unfinished" />
+   <translation>Paar</translation>
   </message>
   <message>
    <source>Pair in mesh</source>
-   <translation type="unfinished" />
+   <translation>Paar im Eingriff</translation>
   </message>
   <message>
    <source>Pair in mesh, on by one tooth</source>
-   <translation type="unfinished" />
+   <translation>Paar im Eingriff, um einen Zahn weiter</translation>
   </message>
   <message>
    <source>Paper</source>
-   <translation type="unfinished" />
+   <translation>Arbeit</translation>
   </message>
   <message>
    <source>Parallel</source>
-   <translation type="unfinished" />
+   <translation>Parallel</translation>
   </message>
   <message>
    <source>Parallel shows true proportions</source>
-   <translation type="unfinished" />
+   <translation>Parallel zeigt wahre Verhältnisse</translation>
   </message>
   <message>
    <source>Parameter</source>
-   <translation type="unfinished" />
+   <translation>Parameter</translation>
   </message>
   <message>
    <source>Parameters</source>
-   <translation type="unfinished" />
+   <translation>Parameter</translation>
   </message>
   <message>
    <source>Parameters and derived values beside those of another design</source>
-   <translation type="unfinished" />
+   <translation>Parameter und abgeleitete Werte neben denen eines anderen Entwurfs</translation>
   </message>
   <message>
    <source>Parameters: {group}</source>
-   <translation type="unfinished" />
+   <translation>Parameter: {group}</translation>
   </message>
   <message>
    <source>Part</source>
-   <translation type="unfinished" />
+   <translation>Teil</translation>
   </message>
   <message>
    <source>Paste</source>
-   <translation type="unfinished" />
+   <translation>Einfügen</translation>
   </message>
   <message>
    <source>Pattern</source>
-   <translation type="unfinished" />
+   <translation>Tragbild</translation>
   </message>
   <message>
    <source>Peak to peak</source>
-   <translation type="unfinished" />
+   <translation>Spitze–Spitze</translation>
   </message>
   <message>
    <source>Perspective</source>
-   <translation type="unfinished" />
+   <translation>Perspektive</translation>
   </message>
   <message>
    <source>Pi&amp;cture…</source>
-   <translation type="unfinished" />
+   <translation>&amp;Bild…</translation>
   </message>
   <message>
    <source>Picture</source>
-   <translation type="unfinished" />
+   <translation>Bild</translation>
   </message>
   <message>
    <source>Picture of</source>
-   <translation type="unfinished" />
+   <translation>Bild von</translation>
   </message>
   <message>
    <source>Pinion</source>
-   <translation type="unfinished" />
+   <translation>Ritzel</translation>
   </message>
   <message>
    <source>Pinion along its axis, positive away from the crossing point</source>
-   <translation type="unfinished" />
+   <translation>Ritzel entlang seiner Achse, positiv vom Achsschnittpunkt weg</translation>
   </message>
   <message>
    <source>Pinion axis beside the wheel's, positive as a positive hypoid offset</source>
-   <translation type="unfinished" />
+   <translation>Ritzelachse neben der Radachse, positiv wie ein positiver Achsversatz</translation>
   </message>
   <message>
    <source>Pinion blank</source>
-   <translation type="unfinished" />
+   <translation>Radkörper Ritzel</translation>
   </message>
   <message>
    <source>Pinion teeth</source>
-   <translation type="unfinished" />
+   <translation>Zähne Ritzel</translation>
   </message>
   <message>
    <source>Pinion {pinion:.1f}° · wheel {wheel:.1f}°</source>
-   <translation type="unfinished" />
+   <translation>Ritzel {pinion:.1f}° · Rad {wheel:.1f}°</translation>
   </message>
   <message>
    <source>Pitch</source>
-   <translation type="unfinished" />
+   <translation>Teilung</translation>
   </message>
   <message>
    <source>Pitch angle</source>
-   <translation type="unfinished" />
+   <translation>Teilkegelwinkel</translation>
   </message>
   <message>
    <source>Pitch cone</source>
-   <translation type="unfinished" />
+   <translation>Teilkegel</translation>
   </message>
   <message>
    <source>Pitch cone angle</source>
-   <translation type="unfinished" />
+   <translation>Winkel des Teilkegels</translation>
   </message>
   <message>
    <source>Pitch diameter, heel</source>
-   <translation type="unfinished" />
+   <translation>Teilkreisdurchmesser, Ferse</translation>
   </message>
   <message>
    <source>Pitch error</source>
-   <translation type="unfinished" />
+   <translation>Teilungsabweichung</translation>
   </message>
   <message>
    <source>Pitch to base element</source>
-   <translation type="unfinished" />
+   <translation>Teil- zu Grundkegellinie</translation>
   </message>
   <message>
    <source>Pitch to base element, in the tangent plane</source>
-   <translation type="unfinished" />
+   <translation>Teil- zu Grundkegellinie, in der Tangentialebene</translation>
   </message>
   <message>
    <source>Pitch, single</source>
-   <translation type="unfinished" />
+   <translation>Teilung, einzeln</translation>
   </message>
   <message>
    <source>Pitch, total</source>
-   <translation type="unfinished" />
+   <translation>Teilung, gesamt</translation>
   </message>
   <message>
    <source>Pixels of the picture for one on the screen</source>
-   <translation type="unfinished" />
+   <translation>Bildpunkte des Bilds für einen am Schirm</translation>
   </message>
   <message>
    <source>Place along the face</source>
-   <translation type="unfinished" />
+   <translation>Ort entlang der Breite</translation>
   </message>
   <message>
    <source>Place along the profile</source>
-   <translation type="unfinished" />
+   <translation>Ort entlang des Profils</translation>
   </message>
   <message>
    <source>Place of the section</source>
-   <translation type="unfinished" />
+   <translation>Ort des Schnitts</translation>
   </message>
   <message>
    <source>Places along the generating line</source>
-   <translation type="unfinished" />
+   <translation>Orte entlang der Erzeugenden</translation>
   </message>
   <message>
    <source>Play</source>
-   <translation type="unfinished" />
+   <translation>Abspielen</translation>
   </message>
   <message>
    <source>Point</source>
-   <translation type="unfinished" />
+   <translation>Punkt</translation>
   </message>
   <message>
    <source>Point cloud</source>
-   <translation type="unfinished" />
+   <translation>Punktwolke</translation>
   </message>
   <message>
    <source>Point cloud degree</source>
-   <translation type="unfinished" />
+   <translation>Grad der Punktwolke</translation>
   </message>
   <message>
    <source>Point in spherical coordinates</source>
-   <translation type="unfinished" />
+   <translation>Punkt in Kugelkoordinaten</translation>
   </message>
   <message>
    <source>Point series</source>
-   <translation type="unfinished" />
+   <translation>Punktfolge</translation>
   </message>
   <message>
    <source>Points</source>
-   <translation type="unfinished" />
+   <translation>Punkte</translation>
   </message>
   <message>
    <source>Points and surfaces</source>
-   <translation type="unfinished" />
+   <translation>Punkte und Flächen</translation>
   </message>
   <message>
    <source>Points of the exact flank on U and V lines</source>
-   <translation type="unfinished" />
+   <translation>Punkte der exakten Flanke auf U- und V-Linien</translation>
   </message>
   <message>
    <source>Points, U and V lines</source>
-   <translation type="unfinished" />
+   <translation>Punkte, U- und V-Linien</translation>
   </message>
   <message>
    <source>Poles</source>
-   <translation type="unfinished" />
+   <translation>Pole</translation>
   </message>
   <message>
    <source>Positions, sections, or points along each side of the grid</source>
-   <translation type="unfinished" />
+   <translation>Stellungen, Schnitte oder Punkte je Seite des Netzes</translation>
   </message>
   <message>
    <source>Preferences</source>
-   <translation type="unfinished" />
+   <translation>Einstellungen</translation>
   </message>
   <message>
    <source>Preparing 3D view…</source>
-   <translation type="unfinished" />
+   <translation>3D-Ansicht wird vorbereitet…</translation>
   </message>
   <message>
    <source>Preparing the analysis…</source>
-   <translation type="unfinished" />
+   <translation>Auswertung wird vorbereitet…</translation>
   </message>
   <message>
    <source>Press the new keys here</source>
-   <translation type="unfinished" />
+   <translation>Die neuen Tasten hier drücken</translation>
   </message>
   <message>
    <source>Pressure angle</source>
-   <translation type="unfinished" />
+   <translation>Eingriffswinkel</translation>
   </message>
   <message>
    <source>Pressure angle correction</source>
-   <translation type="unfinished" />
+   <translation>Korrektur des Eingriffswinkels</translation>
   </message>
   <message>
    <source>Pressure angle is</source>
-   <translation type="unfinished" />
+   <translation>Eingriffswinkel ist</translation>
   </message>
   <message>
    <source>Pressure angle of both flanks.</source>
-   <translation type="unfinished" />
+   <translation>Eingriffswinkel beider Flanken.</translation>
   </message>
   <message>
    <source>Pressure angle, normal</source>
-   <translation type="unfinished" />
+   <translation>Eingriffswinkel, normal</translation>
   </message>
   <message>
    <source>Pressure angle, transv.</source>
-   <translation type="unfinished" />
+   <translation>Eingriffswinkel, Stirn</translation>
   </message>
   <message>
    <source>Preview of the report</source>
-   <translation type="unfinished" />
+   <translation>Vorschau des Berichts</translation>
   </message>
   <message>
    <source>Principal 1 (largest)</source>
-   <translation type="unfinished" />
+   <translation>Haupt- 1 (größte)</translation>
   </message>
   <message>
    <source>Principal 2 (smallest)</source>
-   <translation type="unfinished" />
+   <translation>Haupt- 2 (kleinste)</translation>
   </message>
   <message>
    <source>Printed 0.963 rad; used 0.286 rad, which gives back β₀ at the toe (17/40 teeth, m = 4 mm, wheel).</source>
-   <translation type="unfinished" />
+   <translation>Gedruckt 0,963 rad; benutzt 0,286 rad, was β₀ an der Zehe wiedergibt (17/40 Zähne, m = 4 mm, Rad).</translation>
   </message>
   <message>
    <source>Printed 21.1°; used 59.863°, which equals arcsin(sin δ cos α) (17/40 teeth, m = 4 mm, transverse 20°, wheel).</source>
-   <translation type="unfinished" />
+   <translation>Gedruckt 21,1°; benutzt 59,863°, gleich arcsin(sin δ cos α) (17/40 Zähne, m = 4 mm, Stirn 20°, Rad).</translation>
   </message>
   <message>
    <source>Profile at the toe</source>
-   <translation type="unfinished" />
+   <translation>Profil an der Zehe</translation>
   </message>
   <message>
    <source>Profile crown</source>
-   <translation type="unfinished" />
+   <translation>Höhenballigkeit</translation>
   </message>
   <message>
    <source>Profile crowning</source>
-   <translation type="unfinished" />
+   <translation>Höhenballigkeit</translation>
   </message>
   <message>
    <source>Profile shift</source>
-   <translation type="unfinished" />
+   <translation>Profilverschiebung</translation>
   </message>
   <message>
    <source>Profile shift factor</source>
-   <translation type="unfinished" />
+   <translation>Profilverschiebungsfaktor</translation>
   </message>
   <message>
    <source>Profile shift factor of the pinion; the wheel takes the negative.</source>
-   <translation type="unfinished" />
+   <translation>Profilverschiebungsfaktor des Ritzels; das Rad hat den negativen.</translation>
   </message>
   <message>
    <source>Profile sweep</source>
-   <translation type="unfinished" />
+   <translation>Profil-Sweep</translation>
   </message>
   <message>
    <source>Progress of the measurement</source>
-   <translation type="unfinished" />
+   <translation>Fortschritt der Messung</translation>
   </message>
   <message>
    <source>Progress of the study</source>
-   <translation type="unfinished" />
+   <translation>Fortschritt der Untersuchung</translation>
   </message>
   <message>
    <source>Projection</source>
-   <translation type="unfinished" />
+   <translation>Projektion</translation>
   </message>
   <message>
    <source>Properties</source>
-   <translation type="unfinished" />
+   <translation>Eigenschaften</translation>
   </message>
   <message>
    <source>Properties of the solids</source>
-   <translation type="unfinished" />
+   <translation>Eigenschaften der Körper</translation>
   </message>
   <message>
    <source>Published</source>
-   <translation type="unfinished" />
+   <translation>Veröffentlicht</translation>
   </message>
   <message>
    <source>Published values</source>
-   <translation type="unfinished" />
+   <translation>Veröffentlichte Werte</translation>
   </message>
   <message>
    <source>Published values and those computed</source>
-   <translation type="unfinished" />
+   <translation>Veröffentlichte und berechnete Werte</translation>
   </message>
   <message>
    <source>Purple – green</source>
-   <translation type="unfinished" />
+   <translation>Violett – Grün</translation>
   </message>
   <message>
    <source>Put every panel back in its place</source>
-   <translation type="unfinished" />
+   <translation>Jede Tafel an ihren Ort zurücklegen</translation>
   </message>
   <message>
    <source>Put it in place of what is open; Undo takes that back. No file is changed.</source>
-   <translation type="unfinished" />
+   <translation>An die Stelle des Offenen setzen; Rückgängig nimmt es zurück. Keine Datei ändert sich.</translation>
   </message>
   <message>
    <source>Put the cursor into a parameter first</source>
-   <translation type="unfinished" />
+   <translation>Erst den Cursor in einen Parameter setzen</translation>
   </message>
   <message>
    <source>Quantity</source>
-   <translation type="unfinished" />
+   <translation>Größe</translation>
   </message>
   <message>
    <source>Radial</source>
-   <translation type="unfinished" />
+   <translation>Radial</translation>
   </message>
   <message>
    <source>Radius of the back plane of the base cone.</source>
-   <translation type="unfinished" />
+   <translation>Radius der Rückebene des Grundkegels.</translation>
   </message>
   <message>
    <source>Radius of the cutter whose arc the tooth follows.</source>
-   <translation type="unfinished" />
+   <translation>Radius des Messerkopfs, dessen Bogen der Zahn folgt.</translation>
   </message>
   <message>
    <source>Radius of the tangent circular plane, which is the heel sphere's.</source>
-   <translation type="unfinished" />
+   <translation>Radius der tangentialen Kreisebene, zugleich der Fersenkugel.</translation>
   </message>
   <message>
    <source>Range: {limits}</source>
-   <translation type="unfinished" />
+   <translation>Bereich: {limits}</translation>
   </message>
   <message>
    <source>Re&amp;start CAD kernel</source>
-   <translation type="unfinished" />
+   <translation>CAD-Kern neu &amp;starten</translation>
   </message>
   <message>
    <source>Reading {file}…</source>
-   <translation type="unfinished" />
+   <translation>{file} wird gelesen…</translation>
   </message>
   <message>
    <source>Rebuild when the design changes</source>
-   <translation type="unfinished" />
+   <translation>Neu bauen, wenn sich der Entwurf ändert</translation>
   </message>
   <message>
    <source>Reco&amp;ver unsaved work…</source>
-   <translation type="unfinished" />
+   <translation>Un&amp;gesicherte Arbeit wiederherstellen…</translation>
   </message>
   <message>
    <source>Recover unsaved edits</source>
-   <translation type="unfinished" />
+   <translation>Ungesicherte Änderungen wiederherstellen</translation>
   </message>
   <message>
    <source>Recover unsaved work</source>
-   <translation type="unfinished" />
+   <translation>Ungesicherte Arbeit wiederherstellen</translation>
   </message>
   <message>
    <source>Recovered version</source>
-   <translation type="unfinished" />
+   <translation>Wiederhergestellter Stand</translation>
   </message>
   <message>
    <source>Refined until the expected deviation is below the tolerance</source>
-   <translation type="unfinished" />
+   <translation>Verfeinert, bis die erwartete Abweichung unter der Toleranz liegt</translation>
   </message>
   <message>
    <source>Reflections of straight lamps in the CAD flanks</source>
-   <translation type="unfinished" />
+   <translation>Spiegelungen gerader Lampen in den CAD-Flanken</translation>
   </message>
   <message>
    <source>Remove &amp;missing ones</source>
-   <translation type="unfinished" />
+   <translation>&amp;Fehlende entfernen</translation>
   </message>
   <message>
    <source>Report</source>
-   <translation type="unfinished" />
+   <translation>Bericht</translation>
   </message>
   <message>
    <source>Reset</source>
-   <translation type="unfinished" />
+   <translation>Zurücksetzen</translation>
   </message>
   <message>
    <source>Reset &amp;field</source>
-   <translation type="unfinished" />
+   <translation>&amp;Feld zurücksetzen</translation>
   </message>
   <message>
    <source>Reset a&amp;ll parameters</source>
-   <translation type="unfinished" />
+   <translation>A&amp;lle Parameter zurücksetzen</translation>
   </message>
   <message>
    <source>Reset all keys</source>
-   <translation type="unfinished" />
+   <translation>Alle Tasten zurücksetzen</translation>
   </message>
   <message>
    <source>Reset all parameters</source>
-   <translation type="unfinished" />
+   <translation>Alle Parameter zurücksetzen</translation>
   </message>
   <message>
    <source>Reset group {group}</source>
-   <translation type="unfinished" />
+   <translation>Gruppe {group} zurücksetzen</translation>
   </message>
   <message>
    <source>Reset settings</source>
-   <translation type="unfinished" />
+   <translation>Einstellungen zurücksetzen</translation>
   </message>
   <message>
    <source>Reset this group</source>
-   <translation type="unfinished" />
+   <translation>Diese Gruppe zurücksetzen</translation>
   </message>
   <message>
    <source>Reset to &amp;sample</source>
-   <translation type="unfinished" />
+   <translation>Auf &amp;Beispiel zurücksetzen</translation>
   </message>
   <message>
    <source>Reset to {preset}</source>
-   <translation type="unfinished" />
+   <translation>Auf {preset} zurücksetzen</translation>
   </message>
   <message>
    <source>Reset to {value}</source>
-   <translation type="unfinished" />
+   <translation>Auf {value} zurücksetzen</translation>
   </message>
   <message>
    <source>Reset {field}</source>
-   <translation type="unfinished" />
+   <translation>{field} zurücksetzen</translation>
   </message>
   <message>
    <source>Restore defaults</source>
-   <translation type="unfinished" />
+   <translation>Vorgaben wiederherstellen</translation>
   </message>
   <message>
    <source>Right</source>
-   <translation type="unfinished" />
+   <translation>Rechts</translation>
   </message>
   <message>
    <source>Right hand</source>
-   <translation type="unfinished" />
+   <translation>Rechtssteigend</translation>
   </message>
   <message>
    <source>Rms</source>
-   <translation type="unfinished" />
+   <translation>Rms</translation>
   </message>
   <message>
    <source>Roll angle from root to tip</source>
-   <translation type="unfinished" />
+   <translation>Wälzwinkel vom Fuß zum Kopf</translation>
   </message>
   <message>
    <source>Roll of the tangent plane</source>
-   <translation type="unfinished" />
+   <translation>Rollen der Tangentialebene</translation>
   </message>
   <message>
    <source>Roll of the tangent plane: {degrees:.1f}°</source>
-   <translation type="unfinished" />
+   <translation>Rollen der Tangentialebene: {degrees:.1f}°</translation>
   </message>
   <message>
    <source>Roll the plane and let the line sweep out the flank</source>
-   <translation type="unfinished" />
+   <translation>Die Ebene rollen; die Gerade überstreicht die Flanke</translation>
   </message>
   <message>
    <source>Rolling construction at δ_k = 68°: azimuth 0.0413879 rad, as the used form; the printed form gives −0.0838 rad (17/40 teeth, transverse 20°, wheel).</source>
-   <translation type="unfinished" />
+   <translation>Rollkonstruktion bei δ_k = 68°: Azimut 0,0413879 rad, wie die benutzte Form; die gedruckte gibt −0,0838 rad (17/40 Zähne, Stirn 20°, Rad).</translation>
   </message>
   <message>
    <source>Rolling of the tangent plane</source>
-   <translation type="unfinished" />
+   <translation>Rollen der Tangentialebene</translation>
   </message>
   <message>
    <source>Root angle</source>
-   <translation type="unfinished" />
+   <translation>Fußkegelwinkel</translation>
   </message>
   <message>
    <source>Root apex beyond crossing point</source>
-   <translation type="unfinished" />
+   <translation>Fußkegelspitze über dem Achsschnittpunkt</translation>
   </message>
   <message>
    <source>Root of the mean square</source>
-   <translation type="unfinished" />
+   <translation>Wurzel des mittleren Quadrats</translation>
   </message>
   <message>
    <source>Root of the mean square deviation</source>
-   <translation type="unfinished" />
+   <translation>Wurzel der mittleren quadratischen Abweichung</translation>
   </message>
   <message>
    <source>Root relief</source>
-   <translation type="unfinished" />
+   <translation>Fußrücknahme</translation>
   </message>
   <message>
    <source>Root relief ends at</source>
-   <translation type="unfinished" />
+   <translation>Fußrücknahme endet bei</translation>
   </message>
   <message>
    <source>Root – tip</source>
-   <translation type="unfinished" />
+   <translation>Fuß – Kopf</translation>
   </message>
   <message>
    <source>Rotating line</source>
-   <translation type="unfinished" />
+   <translation>Rollende Gerade</translation>
   </message>
   <message>
    <source>Run</source>
-   <translation type="unfinished" />
+   <translation>Starten</translation>
   </message>
   <message>
    <source>Run the study: each method is built with growing effort</source>
-   <translation type="unfinished" />
+   <translation>Untersuchung starten: jede Methode wird mit wachsendem Aufwand gebaut</translation>
   </message>
   <message>
    <source>STEP schema</source>
-   <translation type="unfinished" />
+   <translation>STEP-Schema</translation>
   </message>
   <message>
    <source>STEP unit</source>
-   <translation type="unfinished" />
+   <translation>STEP-Einheit</translation>
   </message>
   <message>
    <source>STL as</source>
-   <translation type="unfinished" />
+   <translation>STL als</translation>
   </message>
   <message>
    <source>Save &amp;as…</source>
-   <translation type="unfinished" />
+   <translation>Speichern &amp;unter…</translation>
   </message>
   <message>
    <source>Save a turntable, the pair in mesh or the rolling plane as MP4 or GIF</source>
-   <translation type="unfinished" />
+   <translation>Drehteller, Paar im Eingriff oder rollende Ebene als MP4 oder GIF speichern</translation>
   </message>
   <message>
    <source>Save as .mp4 or .gif</source>
-   <translation type="unfinished" />
+   <translation>Als .mp4 oder .gif speichern</translation>
   </message>
   <message>
    <source>Save as .png or .jpg</source>
-   <translation type="unfinished" />
+   <translation>Als .png oder .jpg speichern</translation>
   </message>
   <message>
    <source>Save as PNG, SVG or CSV…</source>
-   <translation type="unfinished" />
+   <translation>Als PNG, SVG oder CSV speichern…</translation>
   </message>
   <message>
    <source>Save chart</source>
-   <translation type="unfinished" />
+   <translation>Diagramm speichern</translation>
   </message>
   <message>
    <source>Save data sheet</source>
-   <translation type="unfinished" />
+   <translation>Datenblatt speichern</translation>
   </message>
   <message>
    <source>Save design</source>
-   <translation type="unfinished" />
+   <translation>Entwurf speichern</translation>
   </message>
   <message>
    <source>Save film</source>
-   <translation type="unfinished" />
+   <translation>Film speichern</translation>
   </message>
   <message>
    <source>Save nominal grid</source>
-   <translation type="unfinished" />
+   <translation>Sollnetz speichern</translation>
   </message>
   <message>
    <source>Save or copy a picture of the views or the window</source>
-   <translation type="unfinished" />
+   <translation>Ein Bild der Ansichten oder des Fensters speichern oder kopieren</translation>
   </message>
   <message>
    <source>Save picture</source>
-   <translation type="unfinished" />
+   <translation>Bild speichern</translation>
   </message>
   <message>
    <source>Save the changes to “{name}”?</source>
-   <translation type="unfinished" />
+   <translation>Änderungen an „{name}“ speichern?</translation>
   </message>
   <message>
    <source>Save the design</source>
-   <translation type="unfinished" />
+   <translation>Den Entwurf speichern</translation>
   </message>
   <message>
    <source>Save the design under another name</source>
-   <translation type="unfinished" />
+   <translation>Den Entwurf unter anderem Namen speichern</translation>
   </message>
   <message>
    <source>Save the report</source>
-   <translation type="unfinished" />
+   <translation>Bericht speichern</translation>
   </message>
   <message>
    <source>Save the sheet</source>
-   <translation type="unfinished" />
+   <translation>Datenblatt speichern</translation>
   </message>
   <message>
    <source>Saved</source>
-   <translation type="unfinished" />
+   <translation>Gespeichert</translation>
   </message>
   <message>
    <source>Saved the chart as {written}</source>
-   <translation type="unfinished" />
+   <translation>Diagramm gespeichert als {written}</translation>
   </message>
   <message>
    <source>Saved the data sheet as {path}</source>
-   <translation type="unfinished" />
+   <translation>Datenblatt gespeichert als {path}</translation>
   </message>
   <message>
    <source>Saved the film as {path}</source>
-   <translation type="unfinished" />
+   <translation>Film gespeichert als {path}</translation>
   </message>
   <message>
    <source>Saved the last good design; {count} field(s) with problems are not in {name}</source>
-   <translation type="unfinished" />
+   <translation>Der letzte gute Entwurf ist gespeichert; {count} Feld(er) mit Problemen fehlen in {name}</translation>
   </message>
   <message>
    <source>Saved the nominal grid of the {member} as {path}</source>
-   <translation type="unfinished" />
+   <translation>Sollnetz ({member}) gespeichert als {path}</translation>
   </message>
   <message>
    <source>Saved the picture as {path}</source>
-   <translation type="unfinished" />
+   <translation>Bild gespeichert als {path}</translation>
   </message>
   <message>
    <source>Saved version</source>
-   <translation type="unfinished" />
+   <translation>Gespeicherter Stand</translation>
   </message>
   <message>
    <source>Saved {path}</source>
-   <translation type="unfinished" />
+   <translation>{path} gespeichert</translation>
   </message>
   <message>
    <source>Saved, but no backup could be kept: {reason}</source>
-   <translation type="unfinished" />
+   <translation>Gespeichert, aber keine Sicherung möglich: {reason}</translation>
   </message>
   <message>
    <source>Save…</source>
-   <translation type="unfinished" />
+   <translation>Speichern…</translation>
   </message>
   <message>
    <source>Scale</source>
-   <translation type="unfinished" />
+   <translation>Maßstab</translation>
   </message>
   <message>
    <source>Scale bar</source>
-   <translation type="unfinished" />
+   <translation>Maßstabsbalken</translation>
   </message>
   <message>
    <source>Scale of the combs</source>
-   <translation type="unfinished" />
+   <translation>Maßstab der Kämme</translation>
   </message>
   <message>
    <source>Scale of the deviations: Auto is logarithmic where the curves differ by orders</source>
-   <translation type="unfinished" />
+   <translation>Skala der Abweichungen: Auto ist logarithmisch, wo die Kurven um Größenordnungen auseinanderliegen</translation>
   </message>
   <message>
    <source>Search the parameters by title, symbol or description</source>
-   <translation type="unfinished" />
+   <translation>Die Parameter nach Titel, Zeichen oder Beschreibung durchsuchen</translation>
   </message>
   <message>
    <source>Seconds</source>
-   <translation type="unfinished" />
+   <translation>Sekunden</translation>
   </message>
   <message>
    <source>Section</source>
-   <translation type="unfinished" />
+   <translation>Schnitt</translation>
   </message>
   <message>
    <source>Section of the {member}'s blank</source>
-   <translation type="unfinished" />
+   <translation>Schnitt des Radkörpers: {member}</translation>
   </message>
   <message>
    <source>Sections</source>
-   <translation type="unfinished" />
+   <translation>Schnitte</translation>
   </message>
   <message>
    <source>Select all</source>
-   <translation type="unfinished" />
+   <translation>Alles wählen</translation>
   </message>
   <message>
    <source>Sentences</source>
@@ -3573,3048 +3625,3126 @@
   </message>
   <message>
    <source>Set of layers</source>
-   <translation type="unfinished" />
+   <translation>Satz von Ebenen</translation>
   </message>
   <message>
    <source>Settings</source>
-   <translation type="unfinished" />
+   <translation>Einstellungen</translation>
   </message>
   <message>
    <source>Shaft angle</source>
-   <translation type="unfinished" />
+   <translation>Achsenwinkel</translation>
   </message>
   <message>
    <source>Shaft angle beyond its nominal value</source>
-   <translation type="unfinished" />
+   <translation>Achsenwinkel über dem Nennwert</translation>
   </message>
   <message>
    <source>Shank diameter</source>
-   <translation type="unfinished" />
+   <translation>Schaftdurchmesser</translation>
   </message>
   <message>
    <source>Shank length</source>
-   <translation type="unfinished" />
+   <translation>Schaftlänge</translation>
   </message>
   <message>
    <source>Share of the flank's depth, from 0 at its lower edge to 1 at the tip; no effect without root relief.</source>
-   <translation type="unfinished" />
+   <translation>Anteil der Flankenhöhe, 0 am unteren Rand, 1 am Kopf; ohne Fußrücknahme wirkungslos.</translation>
   </message>
   <message>
    <source>Share of the flank's depth, from 0 at its lower edge to 1 at the tip; no effect without tip relief.</source>
-   <translation type="unfinished" />
+   <translation>Anteil der Flankenhöhe, 0 am unteren Rand, 1 am Kopf; ohne Kopfrücknahme wirkungslos.</translation>
   </message>
   <message>
    <source>Share of the limit pressure angle that the drive flank gains and the coast flank loses; no effect without an offset.</source>
-   <translation type="unfinished" />
+   <translation>Anteil des Grenzeingriffswinkels, den die Zugflanke gewinnt und die Schubflanke verliert; ohne Achsversatz wirkungslos.</translation>
   </message>
   <message>
    <source>Share of the points</source>
-   <translation type="unfinished" />
+   <translation>Anteil der Punkte</translation>
   </message>
   <message>
    <source>Shift</source>
-   <translation type="unfinished" />
+   <translation>Schub axial</translation>
   </message>
   <message>
    <source>Shifted by</source>
-   <translation type="unfinished" />
+   <translation>Verschoben um</translation>
   </message>
   <message>
    <source>Show</source>
-   <translation type="unfinished" />
+   <translation>Zeigen</translation>
   </message>
   <message>
    <source>Show everything as in a new window; layers keep their colours</source>
-   <translation type="unfinished" />
+   <translation>Alles wie in einem neuen Fenster zeigen; Ebenen behalten ihre Farben</translation>
   </message>
   <message>
    <source>Show the pinion and build its flanks</source>
-   <translation type="unfinished" />
+   <translation>Das Ritzel zeigen und seine Flanken bauen</translation>
   </message>
   <message>
    <source>Show the wheel and build its flanks</source>
-   <translation type="unfinished" />
+   <translation>Das Rad zeigen und seine Flanken bauen</translation>
   </message>
   <message>
    <source>Show what else is known</source>
-   <translation type="unfinished" />
+   <translation>Zeigen, was sonst bekannt ist</translation>
   </message>
   <message>
    <source>Show: {words}</source>
-   <translation type="unfinished" />
+   <translation>Zeigt: {words}</translation>
   </message>
   <message>
    <source>Shown and typed in this unit; files stay in mm</source>
-   <translation type="unfinished" />
+   <translation>In dieser Einheit gezeigt und eingegeben; Dateien bleiben in mm</translation>
   </message>
   <message>
    <source>Side of the teeth</source>
-   <translation type="unfinished" />
+   <translation>Zahnseite</translation>
   </message>
   <message>
    <source>Signed extremes: most metal missing, most metal added</source>
-   <translation type="unfinished" />
+   <translation>Extreme mit Vorzeichen: größtes Untermaß, größtes Aufmaß</translation>
   </message>
   <message>
    <source>Signed normal deviation of the solid's flanks from theory</source>
-   <translation type="unfinished" />
+   <translation>Normalabweichung der Flanken des Körpers von der Theorie, mit Vorzeichen</translation>
   </message>
   <message>
    <source>Single and cumulative pitch errors</source>
-   <translation type="unfinished" />
+   <translation>Einzel- und Summenteilungsabweichungen</translation>
   </message>
   <message>
    <source>Size</source>
-   <translation type="unfinished" />
+   <translation>Größe</translation>
   </message>
   <message>
    <source>Size of the film in pixels</source>
-   <translation type="unfinished" />
+   <translation>Größe des Films in Bildpunkten</translation>
   </message>
   <message>
    <source>Smallest principal</source>
-   <translation type="unfinished" />
+   <translation>Kleinste</translation>
   </message>
   <message>
    <source>Smooth</source>
-   <translation type="unfinished" />
+   <translation>Glatt</translation>
   </message>
   <message>
    <source>Software, without the graphics card</source>
-   <translation type="unfinished" />
+   <translation>Software, ohne Grafikkarte</translation>
   </message>
   <message>
    <source>Solid</source>
-   <translation type="unfinished" />
+   <translation>Körper</translation>
   </message>
   <message>
    <source>Solids know which faces meet; trimmed surfaces are for programs that know no solids</source>
-   <translation type="unfinished" />
+   <translation>Körper wissen, welche Flächen sich treffen; getrimmte Flächen sind für Programme ohne Körper</translation>
   </message>
   <message>
    <source>Something unexpected went wrong. The window goes on, and the design is still there: save it under a new name to be safe. The report below helps to mend the fault; it is also in {path}.</source>
-   <translation type="unfinished" />
+   <translation>Etwas Unerwartetes ging schief. Das Fenster läuft weiter, der Entwurf ist noch da: zur Sicherheit unter neuem Namen speichern. Der Bericht unten hilft, den Fehler zu beheben; er steht auch in {path}.</translation>
   </message>
   <message>
    <source>Speed</source>
-   <translation type="unfinished" />
+   <translation>Tempo</translation>
   </message>
   <message>
    <source>Speed; at 1× one tooth passes each second</source>
-   <translation type="unfinished" />
+   <translation>Tempo; bei 1× läuft jede Sekunde ein Zahn vorbei</translation>
   </message>
   <message>
    <source>Spheres</source>
-   <translation type="unfinished" />
+   <translation>Kugeln</translation>
   </message>
   <message>
    <source>Spherical involute</source>
-   <translation type="unfinished" />
+   <translation>Kugelevolvente</translation>
   </message>
   <message>
    <source>Spherical involute, 14/39, transverse pressure angle 20°</source>
-   <translation type="unfinished" />
+   <translation>Kugelevolvente, 14/39, Stirneingriffswinkel 20°</translation>
   </message>
   <message>
    <source>Spiral angle</source>
-   <translation type="unfinished" />
+   <translation>Spiralwinkel</translation>
   </message>
   <message>
    <source>Spiral angle at</source>
-   <translation type="unfinished" />
+   <translation>Spiralwinkel bei</translation>
   </message>
   <message>
    <source>Spiral angle at the cone distance R' of a tooth trace that is an arc of the cutter's radius r₀.</source>
-   <translation type="unfinished" />
+   <translation>Spiralwinkel bei der Kegellänge R' einer Flankenlinie, die ein Bogen mit dem Messerkopfradius r₀ ist.</translation>
   </message>
   <message>
    <source>Spiral angle correction</source>
-   <translation type="unfinished" />
+   <translation>Korrektur des Spiralwinkels</translation>
   </message>
   <message>
    <source>Spiral angle of</source>
-   <translation type="unfinished" />
+   <translation>Spiralwinkel von</translation>
   </message>
   <message>
    <source>Spiral angle, heel</source>
-   <translation type="unfinished" />
+   <translation>Spiralwinkel, Ferse</translation>
   </message>
   <message>
    <source>Spiral angle, mean</source>
-   <translation type="unfinished" />
+   <translation>Spiralwinkel, Mitte</translation>
   </message>
   <message>
    <source>Spiral angle, toe</source>
-   <translation type="unfinished" />
+   <translation>Spiralwinkel, Zehe</translation>
   </message>
   <message>
    <source>Spiral angle; 0 gives straight teeth, or zerol teeth with the circular arc.</source>
-   <translation type="unfinished" />
+   <translation>Spiralwinkel; 0 gibt gerade Zähne, mit dem Kreisbogen Zerolzähne.</translation>
   </message>
   <message>
    <source>Spiral bevel gears from the exact spherical involute: three ways to model the tooth flanks, side by side, and how far each is from theory.</source>
-   <translation type="unfinished" />
+   <translation>Spiralkegelräder aus der exakten Kugelevolvente: drei Wege, die Zahnflanken zu modellieren, nebeneinander, und wie weit jeder von der Theorie abliegt.</translation>
   </message>
   <message>
    <source>Standard</source>
-   <translation type="unfinished" />
+   <translation>Standard</translation>
   </message>
   <message>
    <source>Standard depth with a common apex; with constant clearance the face cone is turned parallel to the mate's root cone instead.</source>
-   <translation type="unfinished" />
+   <translation>Standardhöhe mit gemeinsamer Spitze; bei gleichbleibendem Kopfspiel wird der Kopfkegel parallel zum Fußkegel des Gegenrads gedreht.</translation>
   </message>
   <message>
    <source>Standard: root lines through the pitch apex. Uniform: the same depth from toe to heel. Duplex: constant slot width. Tilted root: constant slot width, but not steeper than 1.3 times standard.</source>
-   <translation type="unfinished" />
+   <translation>Standard: Fußlinien durch die Teilkegelspitze. Gleich hoch: dieselbe Höhe von Zehe bis Ferse. Duplex: gleich weite Lücke. Geneigter Fuß: gleich weite Lücke, aber höchstens 1,3-mal so steil wie Standard.</translation>
   </message>
   <message>
    <source>Standards give the pressure angle in the normal section at the mean point, the paper in the transverse one.</source>
-   <translation type="unfinished" />
+   <translation>Normen geben den Eingriffswinkel im Normalschnitt des Mittelpunkts an, die Arbeit im Stirnschnitt.</translation>
   </message>
   <message>
    <source>Start from the default design</source>
-   <translation type="unfinished" />
+   <translation>Mit dem üblichen Entwurf beginnen</translation>
   </message>
   <message>
    <source>State</source>
-   <translation type="unfinished" />
+   <translation>Zustand</translation>
   </message>
   <message>
    <source>Steel</source>
-   <translation type="unfinished" />
+   <translation>Stahl</translation>
   </message>
   <message>
    <source>Stop making the report</source>
-   <translation type="unfinished" />
+   <translation>Bericht nicht weiter erstellen</translation>
   </message>
   <message>
    <source>Stop the work in progress</source>
-   <translation type="unfinished" />
+   <translation>Die laufende Arbeit anhalten</translation>
   </message>
   <message>
    <source>Stop the work in progress (Esc)</source>
-   <translation type="unfinished" />
+   <translation>Die laufende Arbeit anhalten (Esc)</translation>
   </message>
   <message>
    <source>Stopped</source>
-   <translation type="unfinished" />
+   <translation>Angehalten</translation>
   </message>
   <message>
    <source>Straight bevel pair</source>
-   <translation type="unfinished" />
+   <translation>Geradverzahntes Kegelradpaar</translation>
   </message>
   <message>
    <source>Stripes</source>
-   <translation type="unfinished" />
+   <translation>Streifen</translation>
   </message>
   <message>
    <source>Surface quality</source>
-   <translation type="unfinished" />
+   <translation>Flächengüte</translation>
   </message>
   <message>
    <source>Symbol</source>
-   <translation type="unfinished" />
+   <translation>Zeichen</translation>
   </message>
   <message>
    <source>Take away the other side</source>
-   <translation type="unfinished" />
+   <translation>Die andere Seite wegnehmen</translation>
   </message>
   <message>
    <source>Take away what lies beyond a plane and show the cut face</source>
-   <translation type="unfinished" />
+   <translation>Wegnehmen, was hinter einer Ebene liegt, und die Schnittfläche zeigen</translation>
   </message>
   <message>
    <source>Take back the last edit</source>
-   <translation type="unfinished" />
+   <translation>Die letzte Änderung zurücknehmen</translation>
   </message>
   <message>
    <source>Take colour and opacity back</source>
-   <translation type="unfinished" />
+   <translation>Farbe und Deckkraft zurücknehmen</translation>
   </message>
   <message>
    <source>Take over</source>
-   <translation type="unfinished" />
+   <translation>Übernehmen</translation>
   </message>
   <message>
    <source>Take the marker away (Esc)</source>
-   <translation type="unfinished" />
+   <translation>Die Marke wegnehmen (Esc)</translation>
   </message>
   <message>
    <source>Tangent plane</source>
-   <translation type="unfinished" />
+   <translation>Tangentialebene</translation>
   </message>
   <message>
    <source>Taper</source>
-   <translation type="unfinished" />
+   <translation>Verjüngung</translation>
   </message>
   <message>
    <source>Teeth</source>
-   <translation type="unfinished" />
+   <translation>Zähne</translation>
   </message>
   <message>
    <source>Teeth as long as the CAD flank is curved</source>
-   <translation type="unfinished" />
+   <translation>Zähne, so lang wie die CAD-Flanke gekrümmt ist</translation>
   </message>
   <message>
    <source>Text</source>
-   <translation type="unfinished" />
+   <translation>Text</translation>
   </message>
   <message>
    <source>The 3D view could not be loaded.</source>
-   <translation type="unfinished" />
+   <translation>Die 3D-Ansicht konnte nicht geladen werden.</translation>
   </message>
   <message>
    <source>The 3D views are switched off in the preferences (graphics).</source>
-   <translation type="unfinished" />
+   <translation>Die 3D-Ansichten sind in den Einstellungen abgeschaltet (Grafik).</translation>
   </message>
   <message>
    <source>The CAD kernel could not be started. Model ▸ Restart CAD kernel tries again.</source>
-   <translation type="unfinished" />
+   <translation>Der CAD-Kern ließ sich nicht starten. Modell ▸ CAD-Kern neu starten versucht es wieder.</translation>
   </message>
   <message>
    <source>The CAD kernel stopped unexpectedly and is being restarted; nothing of the design is lost.</source>
-   <translation type="unfinished" />
+   <translation>Der CAD-Kern endete unerwartet und startet neu; vom Entwurf geht nichts verloren.</translation>
   </message>
   <message>
    <source>The CAD process had grown to {size} MB and was started anew; nothing is lost.</source>
-   <translation type="unfinished" />
+   <translation>Der CAD-Prozess war auf {size} MB gewachsen und wurde neu gestartet; nichts ist verloren.</translation>
   </message>
   <message>
    <source>The analysis could not be loaded.</source>
-   <translation type="unfinished" />
+   <translation>Die Auswertung konnte nicht geladen werden.</translation>
   </message>
   <message>
    <source>The axis that viewers take as up is y, as glTF asks; z keeps the gear's own axes</source>
-   <translation type="unfinished" />
+   <translation>Hochachse für Betrachter ist y, wie glTF es verlangt; z behält die Achsen des Rads</translation>
   </message>
   <message>
    <source>The azimuth β is where the point is, the roll angle Θ is how far the plane rolled: not the same angle.</source>
-   <translation type="unfinished" />
+   <translation>Das Azimut β ist, wo der Punkt steht, der Wälzwinkel Θ, wie weit die Ebene rollte: nicht derselbe Winkel.</translation>
   </message>
   <message>
    <source>The basis functions then do not add up to one.</source>
-   <translation type="unfinished" />
+   <translation>Die Basisfunktionen ergeben dann zusammen nicht eins.</translation>
   </message>
   <message>
    <source>The best fit may shift the part along its axis</source>
-   <translation type="unfinished" />
+   <translation>Die Einpassung darf das Teil entlang der Achse schieben</translation>
   </message>
   <message>
    <source>The best fit may turn the part about its axis</source>
-   <translation type="unfinished" />
+   <translation>Die Einpassung darf das Teil um die Achse drehen</translation>
   </message>
   <message>
    <source>The chart was not saved: {error}</source>
-   <translation type="unfinished" />
+   <translation>Das Diagramm wurde nicht gespeichert: {error}</translation>
   </message>
   <message>
    <source>The cone on which the generating plane rolls.</source>
-   <translation type="unfinished" />
+   <translation>Der Kegel, auf dem die erzeugende Ebene rollt.</translation>
   </message>
   <message>
    <source>The cone on which the plane rolls</source>
-   <translation type="unfinished" />
+   <translation>Der Kegel, auf dem die Ebene rollt</translation>
   </message>
   <message>
    <source>The cone that rolls on the mate's</source>
-   <translation type="unfinished" />
+   <translation>Der Kegel, der auf dem des Gegenrads rollt</translation>
   </message>
   <message>
    <source>The construction as printed: few positions, two profiles, 7 × 7 points</source>
-   <translation type="unfinished" />
+   <translation>Der Aufbau wie gedruckt: wenige Stellungen, zwei Profile, 7 × 7 Punkte</translation>
   </message>
   <message>
    <source>The construction whose surfaces are written</source>
-   <translation type="unfinished" />
+   <translation>Der Aufbau, dessen Flächen geschrieben werden</translation>
   </message>
   <message>
    <source>The cutter's radius is missing below the line.</source>
-   <translation type="unfinished" />
+   <translation>Unter dem Bruchstrich fehlt der Messerkopfradius.</translation>
   </message>
   <message>
    <source>The data sheet was not saved: {error}</source>
-   <translation type="unfinished" />
+   <translation>Das Datenblatt wurde nicht gespeichert: {error}</translation>
   </message>
   <message>
    <source>The design to compare with</source>
-   <translation type="unfinished" />
+   <translation>Der Entwurf, mit dem verglichen wird</translation>
   </message>
   <message>
    <source>The designs cannot be compared: {reason}</source>
-   <translation type="unfinished" />
+   <translation>Die Entwürfe lassen sich nicht vergleichen: {reason}</translation>
   </message>
   <message>
    <source>The deviations that the paper states of its own gear, for comparison</source>
-   <translation type="unfinished" />
+   <translation>Die Abweichungen, die die Arbeit für ihr eigenes Rad nennt, zum Vergleich</translation>
   </message>
   <message>
    <source>The division by the cosine does not agree with equation (7).</source>
-   <translation type="unfinished" />
+   <translation>Die Teilung durch den Kosinus passt nicht zu Gleichung (7).</translation>
   </message>
   <message>
    <source>The equation</source>
-   <translation type="unfinished" />
+   <translation>Die Gleichung</translation>
   </message>
   <message>
    <source>The exact flank, translucent</source>
-   <translation type="unfinished" />
+   <translation>Die exakte Flanke, durchscheinend</translation>
   </message>
   <message>
    <source>The export failed: {text}</source>
-   <translation type="unfinished" />
+   <translation>Der Export misslang: {text}</translation>
   </message>
   <message>
    <source>The face width is given as a length: empty that field to use the factor.</source>
-   <translation type="unfinished" />
+   <translation>Die Zahnbreite ist als Länge gegeben: das Feld leeren, um den Faktor zu benutzen.</translation>
   </message>
   <message>
    <source>The flank</source>
-   <translation type="unfinished" />
+   <translation>Die Flanke</translation>
   </message>
   <message>
    <source>The flanks of the three methods in perspective</source>
-   <translation type="unfinished" />
+   <translation>Die Flanken der drei Methoden in Perspektive</translation>
   </message>
   <message>
    <source>The folder of “{name}” is no longer there:
 {folder}</source>
-   <translation type="unfinished" />
+   <translation>Den Ordner von „{name}“ gibt es nicht mehr:
+{folder}</translation>
   </message>
   <message>
    <source>The formulas used, the paper's departures, and this design's numbers</source>
-   <translation type="unfinished" />
+   <translation>Die benutzten Formeln, Abweichungen von der Arbeit und die Zahlen dieses Entwurfs</translation>
   </message>
   <message>
    <source>The generating line, moved rigidly as the tangent plane rolls on the base cone</source>
-   <translation type="unfinished" />
+   <translation>Die Erzeugende, starr bewegt, während die Tangentialebene auf dem Grundkegel rollt</translation>
   </message>
   <message>
    <source>The generating line, rolled by Θ, lies on the flank to 4·10⁻¹⁴ mm.</source>
-   <translation type="unfinished" />
+   <translation>Die um Θ gerollte Erzeugende liegt auf 4·10⁻¹⁴ mm auf der Flanke.</translation>
   </message>
   <message>
    <source>The kernel's full check of the solid</source>
-   <translation type="unfinished" />
+   <translation>Die volle Prüfung des Körpers durch den Kern</translation>
   </message>
   <message>
    <source>The line in the plane, and the flank it has swept</source>
-   <translation type="unfinished" />
+   <translation>Die Gerade in der Ebene und die von ihr überstrichene Flanke</translation>
   </message>
   <message>
    <source>The measurement was cancelled.</source>
-   <translation type="unfinished" />
+   <translation>Die Messung wurde abgebrochen.</translation>
   </message>
   <message>
    <source>The measuring grid with a bar at each point, both flanks</source>
-   <translation type="unfinished" />
+   <translation>Das Messnetz mit einem Balken an jedem Punkt, beide Flanken</translation>
   </message>
   <message>
    <source>The member, or both where they mesh</source>
-   <translation type="unfinished" />
+   <translation>Das Rad, oder beide im Eingriff</translation>
   </message>
   <message>
    <source>The methods are being built…</source>
-   <translation type="unfinished" />
+   <translation>Die Methoden werden gebaut…</translation>
   </message>
   <message>
    <source>The nominal grid was not saved: {reason}</source>
-   <translation type="unfinished" />
+   <translation>Das Sollnetz wurde nicht gespeichert: {reason}</translation>
   </message>
   <message>
    <source>The opposite flank</source>
-   <translation type="unfinished" />
+   <translation>Die Gegenflanke</translation>
   </message>
   <message>
    <source>The optimised variants refine until they expect to be below it.</source>
-   <translation type="unfinished" />
+   <translation>Die optimierten Varianten verfeinern, bis sie darunter zu liegen erwarten.</translation>
   </message>
   <message>
    <source>The other flank of the tooth is the mirror image about the tooth's middle.</source>
-   <translation type="unfinished" />
+   <translation>Die andere Flanke des Zahns ist das Spiegelbild an der Zahnmitte.</translation>
   </message>
   <message>
    <source>The other teeth and the body, in light grey</source>
-   <translation type="unfinished" />
+   <translation>Die anderen Zähne und der Körper, in Hellgrau</translation>
   </message>
   <message>
    <source>The pair</source>
-   <translation type="unfinished" />
+   <translation>Das Paar</translation>
   </message>
   <message>
    <source>The pair in mesh</source>
-   <translation type="unfinished" />
+   <translation>Das Paar im Eingriff</translation>
   </message>
   <message>
    <source>The paper prints</source>
-   <translation type="unfinished" />
+   <translation>Die Arbeit druckt</translation>
   </message>
   <message>
    <source>The paper turns the flank.</source>
-   <translation type="unfinished" />
+   <translation>Die Arbeit dreht die Flanke.</translation>
   </message>
   <message>
    <source>The paper: mean deviation of its three methods; the data of its gear are not printed</source>
-   <translation type="unfinished" />
+   <translation>Die Arbeit: mittlere Abweichung ihrer drei Methoden; die Daten ihres Rads sind nicht gedruckt</translation>
   </message>
   <message>
    <source>The picture is on the clipboard</source>
-   <translation type="unfinished" />
+   <translation>Das Bild ist in der Zwischenablage</translation>
   </message>
   <message>
    <source>The pinion's concave flank leads</source>
-   <translation type="unfinished" />
+   <translation>Die konkave Flanke des Ritzels führt</translation>
   </message>
   <message>
    <source>The pinion's convex flank leads</source>
-   <translation type="unfinished" />
+   <translation>Die konvexe Flanke des Ritzels führt</translation>
   </message>
   <message>
    <source>The pitch cones of two gears with crossing axes roll on each other; z' are the mate's teeth. For a right angle it is the paper's arctan z / z'.</source>
-   <translation type="unfinished" />
+   <translation>Die Teilkegel zweier Räder mit sich schneidenden Achsen rollen aufeinander; z' sind die Zähne des Gegenrads. Beim rechten Winkel ist es arctan z / z' der Arbeit.</translation>
   </message>
   <message>
    <source>The point of the flank under the pointer</source>
-   <translation type="unfinished" />
+   <translation>Der Punkt der Flanke unter dem Zeiger</translation>
   </message>
   <message>
    <source>The printed bound does not return the spiral angle it is made from.</source>
-   <translation type="unfinished" />
+   <translation>Die gedruckte Grenze gibt den Spiralwinkel, aus dem sie gemacht ist, nicht zurück.</translation>
   </message>
   <message>
    <source>The printed form is a length, not a number; the used one meets tan β = ρ ψ′(ρ) to 10⁻⁸.</source>
-   <translation type="unfinished" />
+   <translation>Die gedruckte Form ist eine Länge, keine Zahl; die benutzte erfüllt tan β = ρ ψ′(ρ) auf 10⁻⁸.</translation>
   </message>
   <message>
    <source>The printed form is a ratio of lengths, not a count.</source>
-   <translation type="unfinished" />
+   <translation>Die gedruckte Form ist ein Längenverhältnis, keine Anzahl.</translation>
   </message>
   <message>
    <source>The process that builds flanks and solids</source>
-   <translation type="unfinished" />
+   <translation>Der Prozess, der Flanken und Körper baut</translation>
   </message>
   <message>
    <source>The publication does not print the data from which it could be computed</source>
-   <translation type="unfinished" />
+   <translation>Die Veröffentlichung druckt die Daten zur Berechnung nicht</translation>
   </message>
   <message>
    <source>The report could not be made: {reason}</source>
-   <translation type="unfinished" />
+   <translation>Der Bericht konnte nicht erstellt werden: {reason}</translation>
   </message>
   <message>
    <source>The rolling plane's point</source>
-   <translation type="unfinished" />
+   <translation>Der Punkt der rollenden Ebene</translation>
   </message>
   <message>
    <source>The settings are reset; some take effect when GearStudio starts again.</source>
-   <translation type="unfinished" />
+   <translation>Die Einstellungen sind zurückgesetzt; einige gelten ab dem nächsten Start.</translation>
   </message>
   <message>
    <source>The settings file was damaged, so the window starts with the usual settings. {where}</source>
-   <translation type="unfinished" />
+   <translation>Die Einstellungsdatei war beschädigt; das Fenster beginnt mit den üblichen Einstellungen. {where}</translation>
   </message>
   <message>
    <source>The sum divides by zero</source>
-   <translation type="unfinished" />
+   <translation>Die Rechnung teilt durch null</translation>
   </message>
   <message>
    <source>The sum has no finite value</source>
-   <translation type="unfinished" />
+   <translation>Die Rechnung hat keinen endlichen Wert</translation>
   </message>
   <message>
    <source>The sum has no value: look at the arguments of its functions</source>
-   <translation type="unfinished" />
+   <translation>Die Rechnung hat keinen Wert: die Argumente ihrer Funktionen prüfen</translation>
   </message>
   <message>
    <source>The sum is longer than {count} characters</source>
-   <translation type="unfinished" />
+   <translation>Die Rechnung ist länger als {count} Zeichen</translation>
   </message>
   <message>
    <source>The system refused to start another window.</source>
-   <translation type="unfinished" />
+   <translation>Das System ließ kein weiteres Fenster zu.</translation>
   </message>
   <message>
    <source>The theoretical surface, explicit in azimuth: the deviation of any point from it needs no search.</source>
-   <translation type="unfinished" />
+   <translation>Die theoretische Fläche, explizit im Azimut: die Abweichung jedes Punkts braucht keine Suche.</translation>
   </message>
   <message>
    <source>The three methods side by side, seen from the same place</source>
-   <translation type="unfinished" />
+   <translation>Die drei Methoden nebeneinander, vom selben Ort gesehen</translation>
   </message>
   <message>
    <source>The tooth is self-similar: every section is the heel's, scaled by ρ and turned by θ(ρ).</source>
-   <translation type="unfinished" />
+   <translation>Der Zahn ist selbstähnlich: jeder Schnitt ist der an der Ferse, mit ρ skaliert und um θ(ρ) gedreht.</translation>
   </message>
   <message>
    <source>The tooth profile, swept from heel to toe along the tooth trace</source>
-   <translation type="unfinished" />
+   <translation>Das Zahnprofil, von Ferse zu Zehe entlang der Flankenlinie geführt</translation>
   </message>
   <message>
    <source>The tooth that is drawn</source>
-   <translation type="unfinished" />
+   <translation>Der Zahn, der gezeichnet wird</translation>
   </message>
   <message>
    <source>The turn θ(ρ) is missing.</source>
-   <translation type="unfinished" />
+   <translation>Die Drehung θ(ρ) fehlt.</translation>
   </message>
   <message>
    <source>The views</source>
-   <translation type="unfinished" />
+   <translation>Die Ansichten</translation>
   </message>
   <message>
    <source>The weights are missing above the line.</source>
-   <translation type="unfinished" />
+   <translation>Über dem Bruchstrich fehlen die Gewichte.</translation>
   </message>
   <message>
    <source>The wheel's mean addendum over working depth; leave empty for 0.21 + 0.29/u₉₀².</source>
-   <translation type="unfinished" />
+   <translation>Mittlere Kopfhöhe des Rads durch gemeinsame Zahnhöhe; leer: 0,21 + 0,29/u₉₀².</translation>
   </message>
   <message>
    <source>The whole window</source>
-   <translation type="unfinished" />
+   <translation>Das ganze Fenster</translation>
   </message>
   <message>
    <source>The window alone on the screen, and back</source>
-   <translation type="unfinished" />
+   <translation>Das Fenster allein auf dem Schirm, und zurück</translation>
   </message>
   <message>
    <source>The words of the field, as they are used here</source>
-   <translation type="unfinished" />
+   <translation>Die Wörter des Fachs, wie sie hier gebraucht werden</translation>
   </message>
   <message>
    <source>The {flank} flank</source>
-   <translation type="unfinished" />
+   <translation>Die Flanke: {flank}</translation>
   </message>
   <message>
    <source>Theme</source>
-   <translation type="unfinished" />
+   <translation>Farbschema</translation>
   </message>
   <message>
    <source>Theoretical flank</source>
-   <translation type="unfinished" />
+   <translation>Theoretische Flanke</translation>
   </message>
   <message>
    <source>Theory</source>
-   <translation type="unfinished" />
+   <translation>Theorie</translation>
   </message>
   <message>
    <source>Theory {equation}</source>
-   <translation type="unfinished" />
+   <translation>Theorie {equation}</translation>
   </message>
   <message>
    <source>Theory, section {section}</source>
-   <translation type="unfinished" />
+   <translation>Theorie, Abschnitt {section}</translation>
   </message>
   <message>
    <source>There are no backups yet; each save of a design makes one.</source>
-   <translation type="unfinished" />
+   <translation>Noch keine Sicherungen; jedes Speichern eines Entwurfs legt eine an.</translation>
   </message>
   <message>
    <source>There is no unsaved work to recover.</source>
-   <translation type="unfinished" />
+   <translation>Es gibt keine ungesicherte Arbeit wiederherzustellen.</translation>
   </message>
   <message>
    <source>There is no {field} to begin or end.</source>
-   <translation type="unfinished" />
+   <translation>Ohne {field} gibt es keinen Beginn und kein Ende.</translation>
   </message>
   <message>
    <source>These are the values of an earlier design; of this one there are none: {error}</source>
-   <translation type="unfinished" />
+   <translation>Dies sind Werte eines früheren Entwurfs; von diesem gibt es keine: {error}</translation>
   </message>
   <message>
    <source>These sizes make no blank; the field says why.</source>
-   <translation type="unfinished" />
+   <translation>Diese Maße ergeben keinen Radkörper; das Feld sagt, warum.</translation>
   </message>
   <message>
    <source>They are lost if you do not save them.</source>
-   <translation type="unfinished" />
+   <translation>Ohne Speichern gehen sie verloren.</translation>
   </message>
   <message>
    <source>Thickness</source>
-   <translation type="unfinished" />
+   <translation>Zahndicke</translation>
   </message>
   <message>
    <source>Thickness factor</source>
-   <translation type="unfinished" />
+   <translation>Zahndickenfaktor</translation>
   </message>
   <message>
    <source>Thickness of the marking compound: where the gap is less, it is wiped off</source>
-   <translation type="unfinished" />
+   <translation>Dicke der Tuschierpaste: wo der Spalt kleiner ist, wird sie abgewischt</translation>
   </message>
   <message>
    <source>Thickness that the pinion's teeth gain over the wheel's, over mean normal module.</source>
-   <translation type="unfinished" />
+   <translation>Dicke, die die Ritzelzähne gegenüber dem Rad gewinnen, durch mittleren Normalmodul.</translation>
   </message>
   <message>
    <source>This design</source>
-   <translation type="unfinished" />
+   <translation>Dieser Entwurf</translation>
   </message>
   <message>
    <source>This design was never saved.</source>
-   <translation type="unfinished" />
+   <translation>Dieser Entwurf wurde nie gespeichert.</translation>
   </message>
   <message>
    <source>This display offers no OpenGL.</source>
-   <translation type="unfinished" />
+   <translation>Diese Anzeige bietet kein OpenGL.</translation>
   </message>
   <message>
    <source>Tick a format to see how it can be written.</source>
-   <translation type="unfinished" />
+   <translation>Ein Format ankreuzen, um seine Möglichkeiten zu sehen.</translation>
   </message>
   <message>
    <source>Tilted root</source>
-   <translation type="unfinished" />
+   <translation>Geneigter Fuß</translation>
   </message>
   <message>
    <source>Time</source>
-   <translation type="unfinished" />
+   <translation>Zeit</translation>
   </message>
   <message>
    <source>Time to build both flanks</source>
-   <translation type="unfinished" />
+   <translation>Zeit für beide Flanken</translation>
   </message>
   <message>
    <source>Tip and root</source>
-   <translation type="unfinished" />
+   <translation>Kopf und Fuß</translation>
   </message>
   <message>
    <source>Tip clearance at the heel over outer module.</source>
-   <translation type="unfinished" />
+   <translation>Kopfspiel an der Ferse durch Außenmodul.</translation>
   </message>
   <message>
    <source>Tip clearance over working depth.</source>
-   <translation type="unfinished" />
+   <translation>Kopfspiel durch gemeinsame Zahnhöhe.</translation>
   </message>
   <message>
    <source>Tip cone</source>
-   <translation type="unfinished" />
+   <translation>Kopfkegel</translation>
   </message>
   <message>
    <source>Tip land, heel</source>
-   <translation type="unfinished" />
+   <translation>Zahnkopfdicke, Ferse</translation>
   </message>
   <message>
    <source>Tip land, toe</source>
-   <translation type="unfinished" />
+   <translation>Zahnkopfdicke, Zehe</translation>
   </message>
   <message>
    <source>Tip relief</source>
-   <translation type="unfinished" />
+   <translation>Kopfrücknahme</translation>
   </message>
   <message>
    <source>Tip relief starts at</source>
-   <translation type="unfinished" />
+   <translation>Kopfrücknahme beginnt bei</translation>
   </message>
   <message>
    <source>Tip, fillets, root and ends of the tooth, in light grey</source>
-   <translation type="unfinished" />
+   <translation>Kopf, Fußrundungen, Fuß und Enden des Zahns, in Hellgrau</translation>
   </message>
   <message>
    <source>Titles, axes and scale bar</source>
-   <translation type="unfinished" />
+   <translation>Titel, Achsen und Maßstabsbalken</translation>
   </message>
   <message>
    <source>To [{unit}]</source>
-   <translation type="unfinished" />
+   <translation>Bis [{unit}]</translation>
   </message>
   <message>
    <source>To draw without a graphics card, start GearStudio with: --graphics software</source>
-   <translation type="unfinished" />
+   <translation>Zum Zeichnen ohne Grafikkarte GearStudio so starten: --graphics software</translation>
   </message>
   <message>
    <source>Toe – heel</source>
-   <translation type="unfinished" />
+   <translation>Zehe – Ferse</translation>
   </message>
   <message>
    <source>Toe, base cone</source>
-   <translation type="unfinished" />
+   <translation>Zehe, Grundkegel</translation>
   </message>
   <message>
    <source>Tolerance</source>
-   <translation type="unfinished" />
+   <translation>Toleranz</translation>
   </message>
   <message>
    <source>Tooth</source>
-   <translation type="unfinished" />
+   <translation>Zahn</translation>
   </message>
   <message>
    <source>Tooth contact</source>
-   <translation type="unfinished" />
+   <translation>Zahnkontakt</translation>
   </message>
   <message>
    <source>Tooth ends</source>
-   <translation type="unfinished" />
+   <translation>Zahnenden</translation>
   </message>
   <message>
    <source>Tooth profile</source>
-   <translation type="unfinished" />
+   <translation>Zahnprofil</translation>
   </message>
   <message>
    <source>Tooth trace of a cutter</source>
-   <translation type="unfinished" />
+   <translation>Flankenlinie eines Messerkopfs</translation>
   </message>
   <message>
    <source>Tooth {number}</source>
-   <translation type="unfinished" />
+   <translation>Zahn {number}</translation>
   </message>
   <message>
    <source>Topography</source>
-   <translation type="unfinished" />
+   <translation>Topografie</translation>
   </message>
   <message>
    <source>Total contact ratio</source>
-   <translation type="unfinished" />
+   <translation>Gesamtüberdeckung</translation>
   </message>
   <message>
    <source>Transmission error</source>
-   <translation type="unfinished" />
+   <translation>Drehwegabweichung</translation>
   </message>
   <message>
    <source>Transparent background</source>
-   <translation type="unfinished" />
+   <translation>Durchsichtiger Hintergrund</translation>
   </message>
   <message>
    <source>Transverse</source>
-   <translation type="unfinished" />
+   <translation>Stirnschnitt</translation>
   </message>
   <message>
    <source>Transverse backlash at the heel pitch circle, half from each member.</source>
-   <translation type="unfinished" />
+   <translation>Verdrehflankenspiel am Teilkreis der Ferse, halb von jedem Rad.</translation>
   </message>
   <message>
    <source>Transverse backlash, outer</source>
-   <translation type="unfinished" />
+   <translation>Verdrehflankenspiel, außen</translation>
   </message>
   <message>
    <source>Transverse chordal thickness, outer</source>
-   <translation type="unfinished" />
+   <translation>Zahndickensehne im Stirnschnitt, außen</translation>
   </message>
   <message>
    <source>Transverse circular thickness, mean</source>
-   <translation type="unfinished" />
+   <translation>Zahndicke im Stirnschnitt, Mitte</translation>
   </message>
   <message>
    <source>Transverse circular thickness, outer</source>
-   <translation type="unfinished" />
+   <translation>Zahndicke im Stirnschnitt, außen</translation>
   </message>
   <message>
    <source>Transverse contact ratio</source>
-   <translation type="unfinished" />
+   <translation>Profilüberdeckung</translation>
   </message>
   <message>
    <source>Transverse contact ratio on the heel sphere, and overlap ratio.</source>
-   <translation type="unfinished" />
+   <translation>Profilüberdeckung auf der Fersenkugel, und Sprungüberdeckung.</translation>
   </message>
   <message>
    <source>Transverse pressure angle</source>
-   <translation type="unfinished" />
+   <translation>Stirneingriffswinkel</translation>
   </message>
   <message>
    <source>Triangles within</source>
-   <translation type="unfinished" />
+   <translation>Dreiecke innerhalb</translation>
   </message>
   <message>
    <source>Turn</source>
-   <translation type="unfinished" />
+   <translation>Drehung</translation>
   </message>
   <message>
    <source>Turn of the pinion</source>
-   <translation type="unfinished" />
+   <translation>Drehung des Ritzels</translation>
   </message>
   <message>
    <source>Turn of the spiral from toe to heel</source>
-   <translation type="unfinished" />
+   <translation>Drehung der Spirale von Zehe zu Ferse</translation>
   </message>
   <message>
    <source>Turn the pair in mesh</source>
-   <translation type="unfinished" />
+   <translation>Das Paar im Eingriff drehen</translation>
   </message>
   <message>
    <source>Turn the views together, or each by itself</source>
-   <translation type="unfinished" />
+   <translation>Die Ansichten gemeinsam drehen, oder jede für sich</translation>
   </message>
   <message>
    <source>Turned by</source>
-   <translation type="unfinished" />
+   <translation>Gedreht um</translation>
   </message>
   <message>
    <source>Turns the lamps</source>
-   <translation type="unfinished" />
+   <translation>Dreht die Lampen</translation>
   </message>
   <message>
    <source>Turntable</source>
-   <translation type="unfinished" />
+   <translation>Drehteller</translation>
   </message>
   <message>
    <source>Two equal gears at 90° with the Archimedean spiral, the spiral angle given at the toe as in the paper</source>
-   <translation type="unfinished" />
+   <translation>Zwei gleiche Räder bei 90° mit archimedischer Spirale, Spiralwinkel an der Zehe wie in der Arbeit</translation>
   </message>
   <message>
    <source>Type a command or a parameter</source>
-   <translation type="unfinished" />
+   <translation>Befehl oder Parameter eingeben</translation>
   </message>
   <message>
    <source>Undercut margin: rolled arc left below the mate's tip</source>
-   <translation type="unfinished" />
+   <translation>Unterschnittreserve: Wälzbogen unter dem Kopf des Gegenrads</translation>
   </message>
   <message>
    <source>Undone: {step}</source>
-   <translation type="unfinished" />
+   <translation>Zurückgenommen: {step}</translation>
   </message>
   <message>
    <source>Unexpected error</source>
-   <translation type="unfinished" />
+   <translation>Unerwarteter Fehler</translation>
   </message>
   <message>
    <source>Unfold all groups</source>
-   <translation type="unfinished" />
+   <translation>Alle Gruppen aufklappen</translation>
   </message>
   <message>
    <source>Uniform</source>
-   <translation type="unfinished" />
+   <translation>Gleich hoch</translation>
   </message>
   <message>
    <source>Unit</source>
-   <translation type="unfinished" />
+   <translation>Einheit</translation>
   </message>
   <message>
    <source>Unit of deviations on the colour scale and in the views</source>
-   <translation type="unfinished" />
+   <translation>Einheit der Abweichungen auf der Farbskala und in den Ansichten</translation>
   </message>
   <message>
    <source>Unit of length in the file; the gear keeps its size</source>
-   <translation type="unfinished" />
+   <translation>Längeneinheit der Datei; das Rad behält seine Größe</translation>
   </message>
   <message>
    <source>Units, colours and language</source>
-   <translation type="unfinished" />
+   <translation>Einheiten, Farben und Sprache</translation>
   </message>
   <message>
    <source>Units, theme, language, memory and keys</source>
-   <translation type="unfinished" />
+   <translation>Einheiten, Farbschema, Sprache, Speicher und Tasten</translation>
   </message>
   <message>
    <source>Unsaved changes</source>
-   <translation type="unfinished" />
+   <translation>Ungesicherte Änderungen</translation>
   </message>
   <message>
    <source>Unsaved edits cannot be kept for recovery: {reason}</source>
-   <translation type="unfinished" />
+   <translation>Ungesicherte Änderungen können nicht bewahrt werden: {reason}</translation>
   </message>
   <message>
    <source>Untitled</source>
-   <translation type="unfinished" />
+   <translation>Ohne Titel</translation>
   </message>
   <message>
    <source>Up to date</source>
-   <translation type="unfinished" />
+   <translation>Aktuell</translation>
   </message>
   <message>
    <source>Up to ± [{unit}]</source>
-   <translation type="unfinished" />
+   <translation>Bis ± [{unit}]</translation>
   </message>
   <message>
    <source>Upper end of the scale</source>
-   <translation type="unfinished" />
+   <translation>Oberes Ende der Skala</translation>
   </message>
   <message>
    <source>Usual</source>
-   <translation type="unfinished" />
+   <translation>Üblich</translation>
   </message>
   <message>
    <source>Valid</source>
-   <translation type="unfinished" />
+   <translation>Gültig</translation>
   </message>
   <message>
    <source>Values at the picked point</source>
-   <translation type="unfinished" />
+   <translation>Werte am gewählten Punkt</translation>
   </message>
   <message>
    <source>Values with a unit can be added, but not multiplied with each other</source>
-   <translation type="unfinished" />
+   <translation>Werte mit Einheit können addiert, aber nicht multipliziert werden</translation>
   </message>
   <message>
    <source>Variant</source>
-   <translation type="unfinished" />
+   <translation>Variante</translation>
   </message>
   <message>
    <source>Views</source>
-   <translation type="unfinished" />
+   <translation>Ansichten</translation>
   </message>
   <message>
    <source>Virtual normal diameter, mean</source>
-   <translation type="unfinished" />
+   <translation>Normaler Ersatzdurchmesser, Mitte</translation>
   </message>
   <message>
    <source>Volume</source>
-   <translation type="unfinished" />
+   <translation>Volumen</translation>
   </message>
   <message>
    <source>Volume, mass and moments of the solids that are built</source>
-   <translation type="unfinished" />
+   <translation>Volumen, Masse und Momente der gebauten Körper</translation>
   </message>
   <message>
    <source>Warnings and errors</source>
-   <translation type="unfinished" />
+   <translation>Warnungen und Fehler</translation>
   </message>
   <message>
    <source>Web thickness</source>
-   <translation type="unfinished" />
+   <translation>Stegdicke</translation>
   </message>
   <message>
    <source>Weights above and below the line.</source>
-   <translation type="unfinished" />
+   <translation>Gewichte über und unter dem Bruchstrich.</translation>
   </message>
   <message>
    <source>What colours the CAD flanks</source>
-   <translation type="unfinished" />
+   <translation>Wonach die CAD-Flanken gefärbt sind</translation>
   </message>
   <message>
    <source>What draws the 3D views</source>
-   <translation type="unfinished" />
+   <translation>Womit die 3D-Ansichten gezeichnet werden</translation>
   </message>
   <message>
    <source>What else is known</source>
-   <translation type="unfinished" />
+   <translation>Was sonst bekannt ist</translation>
   </message>
   <message>
    <source>What follows from the parameters</source>
-   <translation type="unfinished" />
+   <translation>Was aus den Parametern folgt</translation>
   </message>
   <message>
    <source>What is in the picture</source>
-   <translation type="unfinished" />
+   <translation>Was auf dem Bild ist</translation>
   </message>
   <message>
    <source>What is this?</source>
-   <translation type="unfinished" />
+   <translation>Was ist das?</translation>
   </message>
   <message>
    <source>What is written over the views</source>
-   <translation type="unfinished" />
+   <translation>Was über den Ansichten steht</translation>
   </message>
   <message>
    <source>What is wrong with the parameters</source>
-   <translation type="unfinished" />
+   <translation>Was an den Parametern falsch ist</translation>
   </message>
   <message>
    <source>What moves in the film</source>
-   <translation type="unfinished" />
+   <translation>Was sich im Film bewegt</translation>
   </message>
   <message>
    <source>What of it</source>
-   <translation type="unfinished" />
+   <translation>Was davon</translation>
   </message>
   <message>
    <source>What others printed, computed again</source>
-   <translation type="unfinished" />
+   <translation>Was andere druckten, neu berechnet</translation>
   </message>
   <message>
    <source>What the construction took</source>
-   <translation type="unfinished" />
+   <translation>Was der Aufbau brauchte</translation>
   </message>
   <message>
    <source>What the lamps are fixed to</source>
-   <translation type="unfinished" />
+   <translation>Woran die Lampen befestigt sind</translation>
   </message>
   <message>
    <source>What the program noted, the newest last</source>
-   <translation type="unfinished" />
+   <translation>Was das Programm vermerkte, das Neueste zuletzt</translation>
   </message>
   <message>
    <source>What this design is called.</source>
-   <translation type="unfinished" />
+   <translation>Wie dieser Entwurf heißt.</translation>
   </message>
   <message>
    <source>What this is, and the versions of its parts</source>
-   <translation type="unfinished" />
+   <translation>Was dies ist, und die Versionen seiner Teile</translation>
   </message>
   <message>
    <source>What was made and what was found, for “gearstudio verify”</source>
-   <translation type="unfinished" />
+   <translation>Was gemacht und was gefunden wurde, für „gearstudio verify“</translation>
   </message>
   <message>
    <source>What was written beside the project, and what was found on reading it back</source>
-   <translation type="unfinished" />
+   <translation>Was neben das Projekt geschrieben und beim Zurücklesen gefunden wurde</translation>
   </message>
   <message>
    <source>Wheel</source>
-   <translation type="unfinished" />
+   <translation>Rad</translation>
   </message>
   <message>
    <source>Wheel along its axis, positive away from the crossing point</source>
-   <translation type="unfinished" />
+   <translation>Rad entlang seiner Achse, positiv vom Achsschnittpunkt weg</translation>
   </message>
   <message>
    <source>Wheel axis along +z; the flanks are exactly conjugate.</source>
-   <translation type="unfinished" />
+   <translation>Radachse entlang +z; die Flanken sind exakt konjugiert.</translation>
   </message>
   <message>
    <source>Wheel blank</source>
-   <translation type="unfinished" />
+   <translation>Radkörper Rad</translation>
   </message>
   <message>
    <source>Wheel teeth</source>
-   <translation type="unfinished" />
+   <translation>Zähne Rad</translation>
   </message>
   <message>
    <source>Where each method deviates from the exact flank</source>
-   <translation type="unfinished" />
+   <translation>Wo jede Methode von der exakten Flanke abweicht</translation>
   </message>
   <message>
    <source>Where the involutes start on the base cone</source>
-   <translation type="unfinished" />
+   <translation>Wo die Evolventen auf dem Grundkegel beginnen</translation>
   </message>
   <message>
    <source>Where the involutes start; the generating line is this curve unrolled into the tangent plane.</source>
-   <translation type="unfinished" />
+   <translation>Wo die Evolventen beginnen; die Erzeugende ist diese Kurve, in die Tangentialebene abgewickelt.</translation>
   </message>
   <message>
    <source>Where the marking compound is wiped off</source>
-   <translation type="unfinished" />
+   <translation>Wo die Tuschierpaste abgewischt ist</translation>
   </message>
   <message>
    <source>Where the plane of the section stands</source>
-   <translation type="unfinished" />
+   <translation>Wo die Schnittebene steht</translation>
   </message>
   <message>
    <source>Which entries are shown</source>
-   <translation type="unfinished" />
+   <translation>Welche Einträge gezeigt werden</translation>
   </message>
   <message>
    <source>White</source>
-   <translation type="unfinished" />
+   <translation>Weiß</translation>
   </message>
   <message>
    <source>Whole gear</source>
-   <translation type="unfinished" />
+   <translation>Ganzes Rad</translation>
   </message>
   <message>
    <source>With the camera</source>
-   <translation type="unfinished" />
+   <translation>Mit der Kamera</translation>
   </message>
   <message>
    <source>With the gear</source>
-   <translation type="unfinished" />
+   <translation>Mit dem Rad</translation>
   </message>
   <message>
    <source>With the printed form equation (7) gives R = 222.2 mm instead of 86.9 mm (17/40 teeth, m = 4 mm, transverse 20°, wheel).</source>
-   <translation type="unfinished" />
+   <translation>Mit der gedruckten Form gibt Gleichung (7) R = 222,2 mm statt 86,9 mm (17/40 Zähne, m = 4 mm, Stirn 20°, Rad).</translation>
   </message>
   <message>
    <source>With {value} no derived value would change.</source>
-   <translation type="unfinished" />
+   <translation>Mit {value} würde sich kein abgeleiteter Wert ändern.</translation>
   </message>
   <message>
    <source>With {value}:</source>
-   <translation type="unfinished" />
+   <translation>Mit {value}:</translation>
   </message>
   <message>
    <source>Within {value}: {efforts}</source>
-   <translation type="unfinished" />
+   <translation>Innerhalb {value}: {efforts}</translation>
   </message>
   <message>
    <source>Without it the guide leaves the flank of a spiral tooth.</source>
-   <translation type="unfinished" />
+   <translation>Ohne sie verlässt die Führung die Flanke eines Spiralzahns.</translation>
   </message>
   <message>
    <source>Words of the title or the text, or the paper's number</source>
-   <translation type="unfinished" />
+   <translation>Wörter aus Titel oder Text, oder die Nummer der Arbeit</translation>
   </message>
   <message>
    <source>Words of the window</source>
-   <translation type="unfinished" />
+   <translation>Wörter des Fensters</translation>
   </message>
   <message>
    <source>Words of title, symbol, description or group</source>
-   <translation type="unfinished" />
+   <translation>Wörter aus Titel, Zeichen, Beschreibung oder Gruppe</translation>
   </message>
   <message>
    <source>Work</source>
-   <translation type="unfinished" />
+   <translation>Arbeit</translation>
   </message>
   <message>
    <source>Working depth at the mean point over mean normal module.</source>
-   <translation type="unfinished" />
+   <translation>Gemeinsame Zahnhöhe im Mittelpunkt durch mittleren Normalmodul.</translation>
   </message>
   <message>
    <source>Working flanks</source>
-   <translation type="unfinished" />
+   <translation>Arbeitsflanken</translation>
   </message>
   <message>
    <source>Write flanks, teeth, gears or the pair for other programs</source>
-   <translation type="unfinished" />
+   <translation>Flanken, Zähne, Räder oder das Paar für andere Programme schreiben</translation>
   </message>
   <message>
    <source>Write the nominal points with normals, for a coordinate measuring machine</source>
-   <translation type="unfinished" />
+   <translation>Die Sollpunkte mit Normalen schreiben, für ein Koordinatenmessgerät</translation>
   </message>
   <message>
    <source>Writes {names}</source>
-   <translation type="unfinished" />
+   <translation>Schreibt {names}</translation>
   </message>
   <message>
    <source>Wrote {names} to {folder}; read back and checked</source>
-   <translation type="unfinished" />
+   <translation>{names} nach {folder} geschrieben; zurückgelesen und geprüft</translation>
   </message>
   <message>
    <source>Wrote {name} to {folder}</source>
-   <translation type="unfinished" />
+   <translation>{name} nach {folder} geschrieben</translation>
   </message>
   <message>
    <source>Zebra stripes</source>
-   <translation type="unfinished" />
+   <translation>Zebrastreifen</translation>
   </message>
   <message>
    <source>Zerol pair</source>
-   <translation type="unfinished" />
+   <translation>Zerolpaar</translation>
   </message>
   <message>
    <source>addendum</source>
-   <translation type="unfinished" />
+   <translation>Kopfhöhe</translation>
   </message>
   <message>
    <source>and {count} more</source>
-   <translation type="unfinished" />
+   <translation>und {count} weitere</translation>
   </message>
   <message>
    <source>apex to crown</source>
-   <translation type="unfinished" />
+   <translation>Spitze zur Kopfkante</translation>
   </message>
   <message>
    <source>at least {low}</source>
-   <translation type="unfinished" />
+   <translation>mindestens {low}</translation>
   </message>
   <message>
    <source>at most {high}</source>
-   <translation type="unfinished" />
+   <translation>höchstens {high}</translation>
   </message>
   <message>
    <source>axial face width</source>
-   <translation type="unfinished" />
+   <translation>axiale Zahnbreite</translation>
   </message>
   <message>
    <source>azimuth at the pitch cone</source>
-   <translation type="unfinished" />
+   <translation>Azimut am Teilkegel</translation>
   </message>
   <message>
    <source>base</source>
-   <translation type="unfinished" />
+   <translation>Grund</translation>
   </message>
   <message>
    <source>base angle</source>
-   <translation type="unfinished" />
+   <translation>Grundkegelwinkel</translation>
   </message>
   <message>
    <source>basic render</source>
-   <translation type="unfinished" />
+   <translation>einfaches Zeichnen</translation>
+  </message>
+  <message>
+   <source>best fit</source>
+   <translation>beste Einpassung</translation>
   </message>
   <message>
    <source>binary</source>
-   <translation type="unfinished" />
+   <translation>binär</translation>
   </message>
   <message>
    <source>body</source>
-   <translation type="unfinished" />
+   <translation>Radkörper</translation>
   </message>
   <message>
    <source>box {box} mm · read by {kernel}</source>
-   <translation type="unfinished" />
+   <translation>Quader {box} mm · gelesen mit {kernel}</translation>
   </message>
   <message>
    <source>building…</source>
-   <translation type="unfinished" />
+   <translation>wird gebaut…</translation>
   </message>
   <message>
    <source>coast</source>
-   <translation type="unfinished" />
+   <translation>Schub</translation>
   </message>
   <message>
    <source>computing the curvature…</source>
-   <translation type="unfinished" />
+   <translation>Krümmung wird berechnet…</translation>
   </message>
   <message>
    <source>concave</source>
-   <translation type="unfinished" />
+   <translation>konkav</translation>
   </message>
   <message>
    <source>concave fillet</source>
-   <translation type="unfinished" />
+   <translation>konkave Fußrundung</translation>
   </message>
   <message>
    <source>concave flank</source>
-   <translation type="unfinished" />
+   <translation>konkave Flanke</translation>
   </message>
   <message>
    <source>concave meridian</source>
-   <translation type="unfinished" />
+   <translation>konkaver Meridian</translation>
   </message>
   <message>
    <source>convex</source>
-   <translation type="unfinished" />
+   <translation>konvex</translation>
   </message>
   <message>
    <source>convex fillet</source>
-   <translation type="unfinished" />
+   <translation>konvexe Fußrundung</translation>
   </message>
   <message>
    <source>convex flank</source>
-   <translation type="unfinished" />
+   <translation>konvexe Flanke</translation>
   </message>
   <message>
    <source>convex meridian</source>
-   <translation type="unfinished" />
+   <translation>konvexer Meridian</translation>
   </message>
   <message>
    <source>cut</source>
-   <translation type="unfinished" />
+   <translation>Schnitt</translation>
   </message>
   <message>
    <source>dedendum</source>
-   <translation type="unfinished" />
+   <translation>Fußhöhe</translation>
   </message>
   <message>
    <source>dedendum angle</source>
-   <translation type="unfinished" />
+   <translation>Fußwinkel</translation>
   </message>
   <message>
    <source>derived</source>
-   <translation type="unfinished" />
+   <translation>abgeleitet</translation>
   </message>
   <message>
    <source>deviation {value}</source>
-   <translation type="unfinished" />
+   <translation>Abweichung {value}</translation>
   </message>
   <message>
    <source>drive</source>
-   <translation type="unfinished" />
+   <translation>Zug</translation>
   </message>
   <message>
    <source>end</source>
-   <translation type="unfinished" />
+   <translation>Zahnende</translation>
   </message>
   <message>
    <source>even</source>
-   <translation type="unfinished" />
+   <translation>gleichmäßig</translation>
   </message>
   <message>
    <source>face angle</source>
-   <translation type="unfinished" />
+   <translation>Kopfkegelwinkel</translation>
   </message>
   <message>
    <source>fillet</source>
-   <translation type="unfinished" />
+   <translation>Fußrundung</translation>
   </message>
   <message>
    <source>first method, mean</source>
-   <translation type="unfinished" />
+   <translation>erste Methode, Mittel</translation>
   </message>
   <message>
    <source>flanks</source>
-   <translation type="unfinished" />
+   <translation>Flanken</translation>
   </message>
   <message>
    <source>flat</source>
-   <translation type="unfinished" />
+   <translation>eben</translation>
   </message>
   <message>
    <source>frame {n} of {all}</source>
-   <translation type="unfinished" />
+   <translation>Bild {n} von {all}</translation>
   </message>
   <message>
    <source>gap {value} µm</source>
-   <translation type="unfinished" />
+   <translation>Spalt {value} µm</translation>
   </message>
   <message>
    <source>gear</source>
-   <translation type="unfinished" />
+   <translation>Rad</translation>
   </message>
   <message>
    <source>grid</source>
-   <translation type="unfinished" />
+   <translation>Netz</translation>
   </message>
   <message>
    <source>guides</source>
-   <translation type="unfinished" />
+   <translation>Führungen</translation>
   </message>
   <message>
    <source>heel</source>
-   <translation type="unfinished" />
+   <translation>Ferse</translation>
   </message>
   <message>
    <source>inch</source>
-   <translation type="unfinished" />
+   <translation>Zoll</translation>
   </message>
   <message>
    <source>inner cone distance</source>
-   <translation type="unfinished" />
+   <translation>innere Teilkegellänge</translation>
   </message>
   <message>
    <source>inner outside diameter</source>
-   <translation type="unfinished" />
+   <translation>innerer Außendurchmesser</translation>
   </message>
   <message>
    <source>inner pitch diameter</source>
-   <translation type="unfinished" />
+   <translation>innerer Teilkreisdurchmesser</translation>
   </message>
   <message>
    <source>inner spiral angle</source>
-   <translation type="unfinished" />
+   <translation>innerer Spiralwinkel</translation>
   </message>
   <message>
    <source>kernel</source>
-   <translation type="unfinished" />
+   <translation>Kern</translation>
   </message>
   <message>
    <source>largest</source>
-   <translation type="unfinished" />
+   <translation>größte</translation>
   </message>
   <message>
    <source>least</source>
-   <translation type="unfinished" />
+   <translation>mindestens</translation>
   </message>
   <message>
    <source>left out</source>
-   <translation type="unfinished" />
+   <translation>weggelassen</translation>
+  </message>
+  <message>
+   <source>line</source>
+   <translation>Linie</translation>
   </message>
   <message>
    <source>max {largest} · mean {mean}</source>
-   <translation type="unfinished" />
+   <translation>max {largest} · Mittel {mean}</translation>
   </message>
   <message>
    <source>mean cone distance</source>
-   <translation type="unfinished" />
+   <translation>mittlere Teilkegellänge</translation>
   </message>
   <message>
    <source>mean normal module</source>
-   <translation type="unfinished" />
+   <translation>mittlerer Normalmodul</translation>
   </message>
   <message>
    <source>mean pitch diameter</source>
-   <translation type="unfinished" />
+   <translation>mittlerer Teilkreisdurchmesser</translation>
   </message>
   <message>
    <source>mean {value} µm</source>
-   <translation type="unfinished" />
+   <translation>Mittel {value} µm</translation>
   </message>
   <message>
    <source>mm</source>
-   <translation type="unfinished" />
+   <translation>mm</translation>
   </message>
   <message>
    <source>modifications</source>
-   <translation type="unfinished" />
+   <translation>Modifikationen</translation>
   </message>
   <message>
    <source>more than {low}, up to {high}</source>
-   <translation type="unfinished" />
+   <translation>über {low}, bis {high}</translation>
   </message>
   <message>
    <source>most</source>
-   <translation type="unfinished" />
+   <translation>höchstens</translation>
   </message>
   <message>
    <source>names, colours, product structure</source>
-   <translation type="unfinished" />
+   <translation>Namen, Farben, Produktstruktur</translation>
   </message>
   <message>
    <source>never saved</source>
-   <translation type="unfinished" />
+   <translation>nie gespeichert</translation>
   </message>
   <message>
    <source>no</source>
-   <translation type="unfinished" />
+   <translation>nein</translation>
   </message>
   <message>
    <source>no curvature to show</source>
-   <translation type="unfinished" />
+   <translation>keine Krümmung zu zeigen</translation>
   </message>
   <message>
    <source>non-uniform</source>
-   <translation type="unfinished" />
+   <translation>ungleichmäßig</translation>
   </message>
   <message>
    <source>none</source>
-   <translation type="unfinished" />
+   <translation>keine</translation>
   </message>
   <message>
    <source>not computable</source>
-   <translation type="unfinished" />
+   <translation>nicht berechenbar</translation>
   </message>
   <message>
    <source>not valid: {count} problems</source>
-   <translation type="unfinished" />
+   <translation>ungültig: {count} Probleme</translation>
   </message>
   <message>
    <source>not valid: {problem}</source>
-   <translation type="unfinished" />
+   <translation>ungültig: {problem}</translation>
   </message>
   <message>
    <source>nothing</source>
-   <translation type="unfinished" />
+   <translation>nichts</translation>
   </message>
   <message>
    <source>number</source>
-   <translation type="unfinished" />
+   <translation>Zahl</translation>
   </message>
   <message>
    <source>optimised</source>
-   <translation type="unfinished" />
+   <translation>optimiert</translation>
   </message>
   <message>
    <source>outer cone distance</source>
-   <translation type="unfinished" />
+   <translation>äußere Teilkegellänge</translation>
   </message>
   <message>
    <source>outer module</source>
-   <translation type="unfinished" />
+   <translation>Außenmodul</translation>
   </message>
   <message>
    <source>outer pitch diameter</source>
-   <translation type="unfinished" />
+   <translation>äußerer Teilkreisdurchmesser</translation>
   </message>
   <message>
    <source>outer spiral angle</source>
-   <translation type="unfinished" />
+   <translation>äußerer Spiralwinkel</translation>
   </message>
   <message>
    <source>outside diameter</source>
-   <translation type="unfinished" />
+   <translation>Außendurchmesser</translation>
   </message>
   <message>
    <source>pair</source>
-   <translation type="unfinished" />
+   <translation>Paar</translation>
   </message>
   <message>
    <source>paper, equation {number}</source>
-   <translation type="unfinished" />
+   <translation>Arbeit, Gleichung {number}</translation>
   </message>
   <message>
    <source>parameters</source>
-   <translation type="unfinished" />
+   <translation>Parameter</translation>
   </message>
   <message>
    <source>pinion</source>
-   <translation type="unfinished" />
+   <translation>Ritzel</translation>
   </message>
   <message>
    <source>pipe along the tooth trace</source>
-   <translation type="unfinished" />
+   <translation>Rohr entlang der Flankenlinie</translation>
   </message>
   <message>
    <source>pitch angle</source>
-   <translation type="unfinished" />
+   <translation>Teilkegelwinkel</translation>
   </message>
   <message>
    <source>point_cloud</source>
-   <translation type="unfinished" />
+   <translation>Punktwolke</translation>
   </message>
   <message>
    <source>points</source>
-   <translation type="unfinished" />
+   <translation>Punkte</translation>
   </message>
   <message>
    <source>points along each side</source>
-   <translation type="unfinished" />
+   <translation>Punkte je Seite</translation>
   </message>
   <message>
    <source>poles</source>
-   <translation type="unfinished" />
+   <translation>Pole</translation>
   </message>
   <message>
    <source>positions</source>
-   <translation type="unfinished" />
+   <translation>Stellungen</translation>
   </message>
   <message>
    <source>process {number}</source>
-   <translation type="unfinished" />
+   <translation>Prozess {number}</translation>
   </message>
   <message>
    <source>process {number} on {host}</source>
-   <translation type="unfinished" />
+   <translation>Prozess {number} auf {host}</translation>
   </message>
   <message>
    <source>profile_sweep</source>
-   <translation type="unfinished" />
+   <translation>Profil-Sweep</translation>
   </message>
   <message>
    <source>psi, trace</source>
-   <translation type="unfinished" />
+   <translation>psi, Linie</translation>
   </message>
   <message>
    <source>published</source>
-   <translation type="unfinished" />
+   <translation>veröffentlicht</translation>
   </message>
   <message>
    <source>record: {name}</source>
-   <translation type="unfinished" />
+   <translation>Prüfbericht: {name}</translation>
   </message>
   <message>
    <source>roll angle at the pitch cone</source>
-   <translation type="unfinished" />
+   <translation>Wälzwinkel am Teilkegel</translation>
   </message>
   <message>
    <source>root</source>
-   <translation type="unfinished" />
+   <translation>Fuß</translation>
   </message>
   <message>
    <source>root angle</source>
-   <translation type="unfinished" />
+   <translation>Fußkegelwinkel</translation>
   </message>
   <message>
    <source>rotating_line</source>
-   <translation type="unfinished" />
+   <translation>Rollende Gerade</translation>
   </message>
   <message>
    <source>second method, mean</source>
-   <translation type="unfinished" />
+   <translation>zweite Methode, Mittel</translation>
   </message>
   <message>
    <source>section 3</source>
-   <translation type="unfinished" />
+   <translation>Abschnitt 3</translation>
   </message>
   <message>
    <source>section 4</source>
-   <translation type="unfinished" />
+   <translation>Abschnitt 4</translation>
   </message>
   <message>
    <source>section 5</source>
-   <translation type="unfinished" />
+   <translation>Abschnitt 5</translation>
   </message>
   <message>
    <source>sections</source>
-   <translation type="unfinished" />
+   <translation>Schnitte</translation>
   </message>
   <message>
    <source>skin</source>
-   <translation type="unfinished" />
+   <translation>Haut</translation>
   </message>
   <message>
    <source>smallest</source>
-   <translation type="unfinished" />
+   <translation>kleinste</translation>
   </message>
   <message>
    <source>solids</source>
-   <translation type="unfinished" />
+   <translation>Körper</translation>
   </message>
   <message>
    <source>spacing</source>
-   <translation type="unfinished" />
+   <translation>Abstände</translation>
   </message>
   <message>
    <source>surfaces</source>
-   <translation type="unfinished" />
+   <translation>Flächen</translation>
   </message>
   <message>
    <source>surfaces, for older programs</source>
-   <translation type="unfinished" />
+   <translation>Flächen, für ältere Programme</translation>
   </message>
   <message>
    <source>sweep</source>
-   <translation type="unfinished" />
+   <translation>Sweep</translation>
+  </message>
+  <message>
+   <source>taking pictures of the views</source>
+   <translation>Bilder der Ansichten werden aufgenommen</translation>
   </message>
   <message>
    <source>text</source>
-   <translation type="unfinished" />
+   <translation>Text</translation>
   </message>
   <message>
    <source>the CAD kernel's own</source>
-   <translation type="unfinished" />
+   <translation>das des CAD-Kerns</translation>
   </message>
   <message>
    <source>the file is gone</source>
-   <translation type="unfinished" />
+   <translation>die Datei ist fort</translation>
   </message>
   <message>
    <source>the mate has no flank here</source>
-   <translation type="unfinished" />
+   <translation>das Gegenrad hat hier keine Flanke</translation>
   </message>
   <message>
    <source>the paper's own gear: {low} … {high} µm, means {means} µm</source>
-   <translation type="unfinished" />
+   <translation>das Rad der Arbeit: {low} … {high} µm, Mittel {means} µm</translation>
+  </message>
+  <message>
+   <source>the views are not there yet</source>
+   <translation>die Ansichten sind noch nicht da</translation>
   </message>
   <message>
    <source>theory, section {number}</source>
-   <translation type="unfinished" />
+   <translation>Theorie, Abschnitt {number}</translation>
   </message>
   <message>
    <source>third method, mean</source>
-   <translation type="unfinished" />
+   <translation>dritte Methode, Mittel</translation>
   </message>
   <message>
    <source>tip</source>
-   <translation type="unfinished" />
+   <translation>Kopf</translation>
   </message>
   <message>
    <source>toe</source>
-   <translation type="unfinished" />
+   <translation>Zehe</translation>
   </message>
   <message>
    <source>tolerance {value}</source>
-   <translation type="unfinished" />
+   <translation>Toleranz {value}</translation>
   </message>
   <message>
    <source>tooth</source>
-   <translation type="unfinished" />
+   <translation>Zahn</translation>
   </message>
   <message>
    <source>triangles alone</source>
-   <translation type="unfinished" />
+   <translation>nur Dreiecke</translation>
   </message>
   <message>
    <source>triangles in colour, for viewers</source>
-   <translation type="unfinished" />
+   <translation>farbige Dreiecke, für Betrachter</translation>
   </message>
   <message>
    <source>triangles within {um} µm of theory ({limit} µm allowed)</source>
-   <translation type="unfinished" />
+   <translation>Dreiecke innerhalb {um} µm der Theorie ({limit} µm erlaubt)</translation>
   </message>
   <message>
    <source>triangles, for printing</source>
-   <translation type="unfinished" />
+   <translation>Dreiecke, zum Drucken</translation>
   </message>
   <message>
    <source>updating…</source>
-   <translation type="unfinished" />
+   <translation>wird erneuert…</translation>
   </message>
   <message>
    <source>updating… (max was {largest})</source>
-   <translation type="unfinished" />
+   <translation>wird erneuert… (max war {largest})</translation>
   </message>
   <message>
    <source>valid</source>
-   <translation type="unfinished" />
+   <translation>gültig</translation>
+  </message>
+  <message>
+   <source>views: the window shows solids and not the flanks</source>
+   <translation>Ansichten: das Fenster zeigt Körper, nicht die Flanken</translation>
   </message>
   <message>
    <source>waiting for the CAD kernel</source>
-   <translation type="unfinished" />
+   <translation>wartet auf den CAD-Kern</translation>
   </message>
   <message>
    <source>waiting for the CAD kernel…</source>
-   <translation type="unfinished" />
+   <translation>wartet auf den CAD-Kern…</translation>
   </message>
   <message>
    <source>waiting for the CAD process</source>
-   <translation type="unfinished" />
+   <translation>wartet auf den CAD-Prozess</translation>
   </message>
   <message>
    <source>waiting…</source>
-   <translation type="unfinished" />
+   <translation>wartet…</translation>
   </message>
   <message>
    <source>wheel</source>
-   <translation type="unfinished" />
+   <translation>Rad</translation>
   </message>
   <message>
    <source>writing…</source>
-   <translation type="unfinished" />
+   <translation>wird geschrieben…</translation>
   </message>
   <message>
    <source>yes</source>
-   <translation type="unfinished" />
+   <translation>ja</translation>
   </message>
   <message>
    <source>{count} changed</source>
-   <translation type="unfinished" />
+   <translation>{count} geändert</translation>
   </message>
   <message>
    <source>{count} constructions failed. </source>
-   <translation type="unfinished" />
+   <translation>{count} Aufbauten misslangen. </translation>
   </message>
   <message>
    <source>{count} entries, {bad} warnings or errors</source>
-   <translation type="unfinished" />
+   <translation>{count} Einträge, {bad} Warnungen oder Fehler</translation>
   </message>
   <message>
    <source>{count} of {all}</source>
-   <translation type="unfinished" />
+   <translation>{count} von {all}</translation>
   </message>
   <message>
    <source>{count} of {all} values differ; the difference is other minus this.</source>
-   <translation type="unfinished" />
+   <translation>{count} von {all} Werten verschieden; Unterschied ist anderer minus dieser.</translation>
   </message>
   <message>
    <source>{count} pages, {size:.1f} MB</source>
-   <translation type="unfinished" />
+   <translation>{count} Seiten, {size:.1f} MB</translation>
   </message>
   <message>
    <source>{count} problems</source>
-   <translation type="unfinished" />
+   <translation>{count} Probleme</translation>
   </message>
   <message>
    <source>{count} steps</source>
-   <translation type="unfinished" />
+   <translation>{count} Stufen</translation>
   </message>
   <message>
    <source>{count} warnings</source>
-   <translation type="unfinished" />
+   <translation>{count} Warnungen</translation>
   </message>
   <message>
    <source>{count}: the last good model stays</source>
-   <translation type="unfinished" />
+   <translation>{count}: das letzte gute Modell bleibt</translation>
   </message>
   <message>
    <source>{faces} faces · flanks within {largest} · built in {took}</source>
-   <translation type="unfinished" />
+   <translation>{faces} Flächen · Flanken innerhalb {largest} · gebaut in {took}</translation>
   </message>
   <message>
    <source>{file}, against the {member}</source>
-   <translation type="unfinished" />
+   <translation>{file}, gegen {member}</translation>
   </message>
   <message>
    <source>{file}, against the {member}: points of {flanks} flank faces of {faces}</source>
-   <translation type="unfinished" />
+   <translation>{file}, gegen {member}: Punkte von {flanks} Flanken aus {faces} Flächen</translation>
   </message>
   <message>
    <source>{keys} belongs to “{command}”, which would lose it.</source>
-   <translation type="unfinished" />
+   <translation>{keys} gehört zu „{command}“, das sie verlöre.</translation>
   </message>
   <message>
    <source>{low} to {high}</source>
-   <translation type="unfinished" />
+   <translation>{low} bis {high}</translation>
   </message>
   <message>
    <source>{member} {face}: within {largest} µm of theory ({limit} µm allowed)</source>
-   <translation type="unfinished" />
+   <translation>{member} {face}: innerhalb {largest} µm der Theorie ({limit} µm erlaubt)</translation>
   </message>
   <message>
    <source>{member}, cut face</source>
-   <translation type="unfinished" />
+   <translation>{member}, Schnittfläche</translation>
   </message>
   <message>
    <source>{member}, {face}, tooth {number}</source>
-   <translation type="unfinished" />
+   <translation>{member}, {face}, Zahn {number}</translation>
   </message>
   <message>
    <source>{member}, {flank} flank</source>
-   <translation type="unfinished" />
+   <translation>{member}, Flanke {flank}</translation>
   </message>
   <message>
    <source>{member}, {flank} flank: all points of the deviation map</source>
-   <translation type="unfinished" />
+   <translation>{member}, Flanke {flank}: alle Punkte der Abweichungskarte</translation>
   </message>
   <message>
    <source>{member}: no blank yet</source>
-   <translation type="unfinished" />
+   <translation>{member}: noch kein Radkörper</translation>
+  </message>
+  <message>
+   <source>{method}: modifications left out</source>
+   <translation>{method}: ohne Modifikationen</translation>
+  </message>
+  <message>
+   <source>{method}: the nearest flank that a rigid line sweeps</source>
+   <translation>{method}: nächste Flanke, die eine starre Gerade überstreicht</translation>
   </message>
   <message>
    <source>{name} (missing)</source>
-   <translation type="unfinished" />
+   <translation>{name} (fehlt)</translation>
   </message>
   <message>
    <source>{name} (read-only)</source>
-   <translation type="unfinished" />
+   <translation>{name} (schreibgeschützt)</translation>
   </message>
   <message>
    <source>{name} was not opened: it has {count} problems, the first at {problem}</source>
-   <translation type="unfinished" />
+   <translation>{name} nicht geöffnet: {count} Probleme, das erste bei {problem}</translation>
   </message>
   <message>
    <source>{name} was not opened: {problem}</source>
-   <translation type="unfinished" />
+   <translation>{name} nicht geöffnet: {problem}</translation>
   </message>
   <message>
    <source>{name} was not saved: it is open in another GearStudio window ({holder})</source>
-   <translation type="unfinished" />
+   <translation>{name} nicht gespeichert: in einem anderen GearStudio-Fenster offen ({holder})</translation>
   </message>
   <message>
    <source>{name} was not saved: {problem}</source>
-   <translation type="unfinished" />
+   <translation>{name} nicht gespeichert: {problem}</translation>
   </message>
   <message>
    <source>{name}, cumulative</source>
-   <translation type="unfinished" />
+   <translation>{name}, Summe</translation>
   </message>
   <message>
    <source>{name}, single</source>
-   <translation type="unfinished" />
+   <translation>{name}, einzeln</translation>
   </message>
   <message>
    <source>{passed} of {all} published values agree to the last printed digit</source>
-   <translation type="unfinished" />
+   <translation>{passed} von {all} veröffentlichten Werten stimmen bis zur letzten gedruckten Ziffer</translation>
   </message>
   <message>
    <source>{summary} ({section} of the paper)</source>
-   <translation type="unfinished" />
+   <translation>{summary} ({section} der Arbeit)</translation>
   </message>
   <message>
    <source>{text} ({done} of {all})</source>
-   <translation type="unfinished" />
+   <translation>{text} ({done} von {all})</translation>
   </message>
   <message>
    <source>{title} [{unit}]
 Drag an end of the bar to change the range, double-click to type it. Grey: no value there</source>
-   <translation type="unfinished" />
+   <translation>{title} [{unit}]
+Ein Ende ziehen ändert den Bereich, Doppelklick gibt ihn ein. Grau: kein Wert</translation>
   </message>
   <message>
    <source>{title} curvature [{unit}]</source>
-   <translation type="unfinished" />
+   <translation>Krümmung: {title} [{unit}]</translation>
   </message>
   <message>
    <source>{title} curvature less theory [{unit}]</source>
-   <translation type="unfinished" />
+   <translation>Krümmung abzüglich Theorie: {title} [{unit}]</translation>
   </message>
   <message>
    <source>{title}: a number from {low} to {high} {unit}, or nothing</source>
-   <translation type="unfinished" />
+   <translation>{title}: eine Zahl von {low} bis {high} {unit}, oder nichts</translation>
   </message>
   <message>
    <source>{title}[*] – GearStudio</source>
-   <translation type="unfinished" />
+   <translation>{title}[*] – GearStudio</translation>
   </message>
   <message>
    <source>{words}; {failed} do not.</source>
-   <translation type="unfinished" />
+   <translation>{words}; {failed} nicht.</translation>
   </message>
   <message>
    <source>{w} × {h} pixels</source>
-   <translation type="unfinished" />
+   <translation>{w} × {h} Bildpunkte</translation>
   </message>
   <message>
    <source>Σ  shaft angle</source>
-   <translation type="unfinished" />
+   <translation>Σ  Achsenwinkel</translation>
   </message>
   <message>
    <source>“{command}”: usual keys {keys}</source>
-   <translation type="unfinished" />
+   <translation>„{command}“: übliche Tasten {keys}</translation>
   </message>
   <message>
    <source>“{name}” is not known here</source>
-   <translation type="unfinished" />
+   <translation>„{name}“ ist hier nicht bekannt</translation>
   </message>
   <message>
    <source>“{name}” is open in another GearStudio window ({holder}).</source>
-   <translation type="unfinished" />
+   <translation>„{name}“ ist in einem anderen GearStudio-Fenster offen ({holder}).</translation>
   </message>
   <message>
    <source>“{text}” is neither a number nor a sum</source>
-   <translation type="unfinished" />
+   <translation>„{text}“ ist weder Zahl noch Rechnung</translation>
   </message>
   <message>
    <source>“{unit}” does not suit this field</source>
-   <translation type="unfinished" />
+   <translation>„{unit}“ passt nicht zu diesem Feld</translation>
   </message>
   <message>
    <source>✓ pass</source>
-   <translation type="unfinished" />
+   <translation>✓ stimmt</translation>
   </message>
   <message>
    <source>✗ fail</source>
-   <translation type="unfinished" />
+   <translation>✗ falsch</translation>
   </message>
  </context>
  <context>
   <name>Sentences</name>
   <message>
    <source>"toe" is defined for the Archimedean curve only, and the curve is "{0}"; use "mean", or the curve "archimedean"</source>
-   <translation type="unfinished" />
+   <translation>"toe" gibt es nur für die archimedische Kurve, die Kurve ist "{0}"; "mean" wählen, oder die Kurve "archimedean"</translation>
+  </message>
+  <message>
+   <source>, where {0} mm could be a measured deviation</source>
+   <translation>, wo {0} mm eine gemessene Abweichung sein könnten</translation>
   </message>
   <message>
    <source>; use an offset of 0 mm</source>
-   <translation type="unfinished" />
+   <translation>; einen Achsversatz von 0 mm nehmen</translation>
   </message>
   <message>
    <source>; use {0} mm or nearer to 0</source>
-   <translation type="unfinished" />
+   <translation>; {0} mm oder näher an 0 nehmen</translation>
   </message>
   <message>
    <source>a back face {0} mm from the apex cuts into the roots at the heel; use at least {1} mm</source>
-   <translation type="unfinished" />
+   <translation>eine Rückfläche {0} mm von der Spitze schneidet in die Füße an der Ferse; mindestens {1} mm nehmen</translation>
   </message>
   <message>
    <source>a bore of {0} mm leaves no wall under the roots; use at most {1} mm</source>
-   <translation type="unfinished" />
+   <translation>eine Bohrung von {0} mm lässt keine Wand unter den Füßen; höchstens {1} mm nehmen</translation>
   </message>
   <message>
    <source>a chamfer at the end of the teeth cuts a face more than once</source>
-   <translation type="unfinished" />
+   <translation>eine Endfase schneidet eine Fläche mehr als einmal</translation>
   </message>
   <message>
    <source>a chamfer at the end of the teeth does not cut off their tips alone</source>
-   <translation type="unfinished" />
+   <translation>eine Endfase nimmt nicht nur die Zahnköpfe weg</translation>
   </message>
   <message>
    <source>a chamfer of {0} mm is too small to be modelled; use 0 for none, or at least {1} mm</source>
-   <translation type="unfinished" />
+   <translation>eine Fase von {0} mm ist zu klein zum Modellieren; 0 für keine, oder mindestens {1} mm nehmen</translation>
   </message>
   <message>
    <source>a chamfer of {0} mm leaves no tip between toe and heel or reaches the roots; use at most {1} mm</source>
-   <translation type="unfinished" />
+   <translation>eine Fase von {0} mm lässt keinen Kopf zwischen Zehe und Ferse oder erreicht die Füße; höchstens {1} mm nehmen</translation>
   </message>
   <message>
    <source>a chart is saved as {0}, not as {1}</source>
-   <translation type="unfinished" />
+   <translation>ein Diagramm wird als {0} gespeichert, nicht als {1}</translation>
   </message>
   <message>
    <source>a constant slot width would taper the depth by {0}°, beyond {1}°; use {2}</source>
-   <translation type="unfinished" />
+   <translation>gleich weite Lücke würde die Höhe um {0}° verjüngen, über {1}°; {2} nehmen</translation>
   </message>
   <message>
    <source>a coordinate of the measured points is not a number</source>
-   <translation type="unfinished" />
+   <translation>eine Koordinate der Messpunkte ist keine Zahl</translation>
   </message>
   <message>
    <source>a cutter of radius {0} mm does not cross the wheel's whole face width; {1}</source>
-   <translation type="unfinished" />
+   <translation>ein Messerkopf mit Radius {0} mm überquert nicht die ganze Zahnbreite des Rads; {1}</translation>
   </message>
   <message>
    <source>a cutter of radius {0} mm does not cross the whole face width</source>
-   <translation type="unfinished" />
+   <translation>ein Messerkopf mit Radius {0} mm überquert nicht die ganze Zahnbreite</translation>
   </message>
   <message>
    <source>a face is missing or not valid</source>
-   <translation type="unfinished" />
+   <translation>eine Fläche fehlt oder ist ungültig</translation>
   </message>
   <message>
    <source>a face width of {0} mm does not fit a wheel of {1} mm; use less than {2} mm</source>
-   <translation type="unfinished" />
+   <translation>eine Zahnbreite von {0} mm passt nicht zu einem Rad von {1} mm; weniger als {2} mm nehmen</translation>
   </message>
   <message>
    <source>a fillet of {0} mm on the {1} reaches into the {2} flank that meets the wheel's tip</source>
-   <translation type="unfinished" />
+   <translation>eine Fußrundung von {0} mm am {1} reicht in die Flanke ({2}), die den Kopf des Rads trifft</translation>
   </message>
   <message>
    <source>a grid of {0} x {1} points has no area; use 2 or more each way</source>
-   <translation type="unfinished" />
+   <translation>ein Netz von {0} x {1} Punkten hat keine Fläche; je Richtung mindestens 2 nehmen</translation>
   </message>
   <message>
    <source>a grid of {0} x {1} points is too coarse for a contact analysis; use 3 or more</source>
-   <translation type="unfinished" />
+   <translation>ein Netz von {0} x {1} Punkten ist zu grob für die Kontaktanalyse; mindestens 3 nehmen</translation>
   </message>
   <message>
    <source>a hub of {0} mm must lie between the bore and the rim; use more than {1} and less than {2} mm</source>
-   <translation type="unfinished" />
+   <translation>eine Nabe von {0} mm muss zwischen Bohrung und Kranz liegen; mehr als {1} und weniger als {2} mm nehmen</translation>
   </message>
   <message>
    <source>a hub {0} mm long reaches beyond the toe; use at most {1} mm</source>
-   <translation type="unfinished" />
+   <translation>eine {0} mm lange Nabe reicht über die Zehe hinaus; höchstens {1} mm nehmen</translation>
+  </message>
+  <message>
+   <source>a larger clearance or shallower teeth</source>
+   <translation>größeres Kopfspiel oder niedrigere Zähne</translation>
   </message>
   <message>
    <source>a larger pressure angle or more teeth</source>
-   <translation type="unfinished" />
+   <translation>einen größeren Eingriffswinkel oder mehr Zähne</translation>
   </message>
   <message>
    <source>a marking compound {0} µm thick leaves no mark; use more than 0</source>
-   <translation type="unfinished" />
+   <translation>eine Tuschierpaste von {0} µm hinterlässt keine Spur; mehr als 0 nehmen</translation>
   </message>
   <message>
    <source>a misalignment and the thickness of the marking compound must be finite numbers</source>
-   <translation type="unfinished" />
+   <translation>Einbaufehler und Dicke der Tuschierpaste müssen endliche Zahlen sein</translation>
   </message>
   <message>
    <source>a narrower face width</source>
-   <translation type="unfinished" />
+   <translation>eine kleinere Zahnbreite</translation>
   </message>
   <message>
    <source>a part of the path is a file, not a folder</source>
-   <translation type="unfinished" />
+   <translation>ein Teil des Pfads ist eine Datei, kein Ordner</translation>
   </message>
   <message>
    <source>a picture needs a name that ends in {0}</source>
-   <translation type="unfinished" />
+   <translation>ein Bild braucht einen Namen, der auf {0} endet</translation>
+  </message>
+  <message>
+   <source>a pressure angle of {0}°</source>
+   <translation>einen Eingriffswinkel von {0}°</translation>
   </message>
   <message>
    <source>a shaft angle of {0}° makes the wheel's pitch cone {1}°; it must stay below {2}°: use at most {3}°</source>
-   <translation type="unfinished" />
+   <translation>ein Achsenwinkel von {0}° macht den Teilkegel des Rads {1}°; er muss unter {2}° bleiben: höchstens {3}° nehmen</translation>
   </message>
   <message>
    <source>a shank of {0} mm is wider than the back face; use at most {1} mm</source>
-   <translation type="unfinished" />
+   <translation>ein Schaft von {0} mm ist breiter als die Rückfläche; höchstens {1} mm nehmen</translation>
   </message>
   <message>
    <source>a smaller addendum factor, profile shift or pressure angle</source>
-   <translation type="unfinished" />
+   <translation>kleineren Kopfhöhenfaktor, Profilverschiebung oder Eingriffswinkel</translation>
   </message>
   <message>
    <source>a smaller fillet factor</source>
-   <translation type="unfinished" />
+   <translation>einen kleineren Fußrundungsfaktor</translation>
   </message>
   <message>
    <source>a smaller fillet factor or deeper teeth</source>
-   <translation type="unfinished" />
+   <translation>einen kleineren Fußrundungsfaktor oder höhere Zähne</translation>
   </message>
   <message>
    <source>a smaller one</source>
-   <translation type="unfinished" />
+   <translation>einen kleineren Wert</translation>
   </message>
   <message>
    <source>a smaller profile shift and backlash</source>
-   <translation type="unfinished" />
+   <translation>kleinere Profilverschiebung und kleineres Flankenspiel</translation>
   </message>
   <message>
    <source>a smaller profile shift or pressure angle</source>
-   <translation type="unfinished" />
+   <translation>kleinere Profilverschiebung oder kleineren Eingriffswinkel</translation>
   </message>
   <message>
    <source>a spiral angle of {0}° on the {1} with an offset of {2} mm turns the {3}'s teeth against their hand, to {4}°; {5} or an offset of the other sign</source>
-   <translation type="unfinished" />
+   <translation>ein Spiralwinkel von {0}° am {1} dreht bei einem Achsversatz von {2} mm die Zähne am {3} gegen ihre Spiralrichtung, auf {4}°; {5} oder einen Achsversatz mit anderem Vorzeichen nehmen</translation>
   </message>
   <message>
    <source>a value of type {0}</source>
-   <translation type="unfinished" />
+   <translation>ein Wert vom Typ {0}</translation>
   </message>
   <message>
    <source>a whole number of more than 40 digits</source>
-   <translation type="unfinished" />
+   <translation>eine ganze Zahl mit über 40 Ziffern</translation>
   </message>
   <message>
    <source>a {0} flank reaches into the root; the variant is too inaccurate for this design to make a tooth of</source>
-   <translation type="unfinished" />
+   <translation>eine Flanke ({0}) reicht in den Fuß; die Variante ist für diesen Entwurf zu ungenau für einen Zahn</translation>
   </message>
   <message>
    <source>addendum and dedendum angles of {0} leave {1} of the mean depth at an end of the face, less than {2}; use smaller ones, the standard taper or a smaller face width</source>
-   <translation type="unfinished" />
+   <translation>Kopf- und Fußwinkel von {0} lassen an einem Ende der Breite {1} der mittleren Höhe, weniger als {2}; kleinere Winkel, die Standardverjüngung oder kleinere Zahnbreite nehmen</translation>
   </message>
   <message>
    <source>an offset of {0} mm admits no pitch cones for these teeth, spiral angle and cutter</source>
-   <translation type="unfinished" />
+   <translation>ein Achsversatz von {0} mm lässt für diese Zähne, Spiralwinkel und Messerkopf keine Teilkegel zu</translation>
   </message>
   <message>
    <source>an offset of {0} mm leaves the pinion no face and root cone</source>
-   <translation type="unfinished" />
+   <translation>ein Achsversatz von {0} mm lässt dem Ritzel keinen Kopf- und Fußkegel</translation>
   </message>
   <message>
    <source>another tooth depth or more teeth</source>
-   <translation type="unfinished" />
+   <translation>eine andere Zahnhöhe oder mehr Zähne</translation>
   </message>
   <message>
    <source>base angle {0} rad is outside (0, pi/2)</source>
-   <translation type="unfinished" />
+   <translation>Grundkegelwinkel {0} rad liegt außerhalb (0, pi/2)</translation>
   </message>
   <message>
    <source>best fit</source>
-   <translation type="unfinished" />
+   <translation>beste Einpassung</translation>
   </message>
   <message>
    <source>body {0}</source>
-   <translation type="unfinished" />
+   <translation>Radkörper {0}</translation>
   </message>
   <message>
    <source>choosing faces</source>
-   <translation type="unfinished" />
+   <translation>Flächen werden gewählt</translation>
   </message>
   <message>
    <source>closed valid </source>
-   <translation type="unfinished" />
+   <translation>geschlossene gültige </translation>
   </message>
   <message>
    <source>collecting the gear</source>
-   <translation type="unfinished" />
+   <translation>Rad wird zusammengestellt</translation>
   </message>
   <message>
    <source>contact on the {0}'s {1} flank starts below its root cone</source>
-   <translation type="unfinished" />
+   <translation>Kontakt am {0} auf der Flanke ({1}) beginnt unter dem Fußkegel</translation>
   </message>
   <message>
    <source>continuing the flanks</source>
-   <translation type="unfinished" />
+   <translation>Flanken werden fortgesetzt</translation>
   </message>
   <message>
    <source>cutting of the {0}</source>
-   <translation type="unfinished" />
+   <translation>Schneiden: {0}</translation>
   </message>
   <message>
    <source>cutting the tooth spaces left {0} solids instead of one</source>
-   <translation type="unfinished" />
+   <translation>das Schneiden der Zahnlücken ließ {0} Körper statt einem</translation>
   </message>
   <message>
    <source>cutting tooth spaces {0} to {1} of {2}</source>
-   <translation type="unfinished" />
+   <translation>Zahnlücken {0} bis {1} von {2} werden geschnitten</translation>
   </message>
   <message>
    <source>does not reach everywhere: {0}</source>
-   <translation type="unfinished" />
+   <translation>reicht nicht überallhin: {0}</translation>
   </message>
   <message>
    <source>face angle {0}° and root angle {1}° of the wheel must lie between 0° and 90°; use smaller addendum and dedendum angles or the uniform taper</source>
-   <translation type="unfinished" />
+   <translation>Kopfkegelwinkel {0}° und Fußkegelwinkel {1}° des Rads müssen zwischen 0° und 90° liegen; kleinere Kopf- und Fußwinkel oder gleich hohe Zähne nehmen</translation>
   </message>
   <message>
    <source>face {0} is not valid after reading back</source>
-   <translation type="unfinished" />
+   <translation>Fläche {0} ist nach dem Zurücklesen ungültig</translation>
   </message>
   <message>
    <source>films are written as .mp4 or .gif</source>
-   <translation type="unfinished" />
+   <translation>Filme werden als .mp4 oder .gif geschrieben</translation>
   </message>
   <message>
    <source>format {0} is newer than this program understands; it reads format {1}</source>
-   <translation type="unfinished" />
+   <translation>Format {0} ist neuer, als dieses Programm versteht; es liest Format {1}</translation>
   </message>
   <message>
    <source>format {0} is unknown; this program reads format {1}</source>
-   <translation type="unfinished" />
+   <translation>Format {0} ist unbekannt; dieses Programm liest Format {1}</translation>
   </message>
   <message>
    <source>give the pair deeper teeth or a larger overlap</source>
-   <translation type="unfinished" />
+   <translation>dem Paar höhere Zähne oder größere Überdeckung geben</translation>
   </message>
   <message>
    <source>has nothing to mesh with at an end, where the wheel's tips lie inside its base cone</source>
-   <translation type="unfinished" />
+   <translation>hat an einem Ende nichts zum Kämmen, weil der Kopf des Rads in dessen Grundkegel liegt</translation>
   </message>
   <message>
    <source>heel chamfer</source>
-   <translation type="unfinished" />
+   <translation>Fase an der Ferse</translation>
   </message>
   <message>
    <source>heel end</source>
-   <translation type="unfinished" />
+   <translation>Ende an der Ferse</translation>
   </message>
   <message>
    <source>instead of {0} µm at most</source>
-   <translation type="unfinished" />
+   <translation>statt höchstens {0} µm</translation>
   </message>
   <message>
    <source>internal error: {0}</source>
-   <translation type="unfinished" />
+   <translation>innerer Fehler: {0}</translation>
   </message>
   <message>
    <source>is a folder</source>
-   <translation type="unfinished" />
+   <translation>ist ein Ordner</translation>
   </message>
   <message>
    <source>is undercut near the {0}, {1} mm from the pitch apex, polar angle {2}° (area ratio {3}, must exceed {4})</source>
-   <translation type="unfinished" />
+   <translation>ist unterschnitten bei {0}, {1} mm von der Teilkegelspitze, Polarwinkel {2}° (Flächenverhältnis {3}, muss über {4} liegen)</translation>
   </message>
   <message>
    <source>it failed to start {0} times; {1}</source>
-   <translation type="unfinished" />
+   <translation>Start {0}-mal misslungen; {1}</translation>
   </message>
   <message>
    <source>it holds something that is not a number</source>
-   <translation type="unfinished" />
+   <translation>sie enthält etwas, das keine Zahl ist</translation>
   </message>
   <message>
    <source>it is a model of another gear, or its axis is not the z axis</source>
-   <translation type="unfinished" />
+   <translation>es ist das Modell eines anderen Rads, oder seine Achse ist nicht die z-Achse</translation>
   </message>
   <message>
    <source>it was made of another state of the design: {0} changed since</source>
-   <translation type="unfinished" />
+   <translation>aus einem anderen Stand des Entwurfs gemacht: {0} seitdem geändert</translation>
   </message>
   <message>
    <source>its result could not be read: {0}</source>
-   <translation type="unfinished" />
+   <translation>Ergebnis nicht lesbar: {0}</translation>
   </message>
   <message>
    <source>joining the faces</source>
-   <translation type="unfinished" />
+   <translation>Flächen werden verbunden</translation>
   </message>
   <message>
    <source>leaves the tip of its teeth {0} mm wide at the heel, less than {1} mm: they are pointed</source>
-   <translation type="unfinished" />
+   <translation>lässt den Zahnkopf an der Ferse {0} mm breit, weniger als {1} mm: die Zähne sind spitz</translation>
+  </message>
+  <message>
+   <source>leaves the {0} no tooth space at the foot of the flanks</source>
+   <translation>lässt am {0} keine Zahnlücke am Fuß der Flanken</translation>
   </message>
   <message>
    <source>leaves {0} mm of the tooth space at the foot of the flanks, less than {1} mm</source>
-   <translation type="unfinished" />
+   <translation>lässt {0} mm der Zahnlücke am Fuß der Flanken, weniger als {1} mm</translation>
   </message>
   <message>
    <source>left out</source>
-   <translation type="unfinished" />
+   <translation>weggelassen</translation>
   </message>
   <message>
    <source>less than {0}</source>
-   <translation type="unfinished" />
+   <translation>weniger als {0}</translation>
   </message>
   <message>
    <source>lies {0} µm from theory instead of at most {1} µm</source>
-   <translation type="unfinished" />
+   <translation>liegt {0} µm von der Theorie statt höchstens {1} µm</translation>
   </message>
   <message>
    <source>line {0} has {1} columns, where {2} or more are needed</source>
-   <translation type="unfinished" />
+   <translation>Zeile {0} hat {1} Spalten, {2} oder mehr sind nötig</translation>
   </message>
   <message>
    <source>line {0} has {1} column{2}; give x, y, z or x, y, z, nx, ny, nz, or name the columns in a header line</source>
-   <translation type="unfinished" />
+   <translation>Zeile {0} hat {1} Spalte(n); x, y, z oder x, y, z, nx, ny, nz angeben, oder die Spalten in einer Kopfzeile benennen</translation>
   </message>
   <message>
    <source>line {0}: {1} is not a finite number</source>
-   <translation type="unfinished" />
+   <translation>Zeile {0}: {1} ist keine endliche Zahl</translation>
   </message>
   <message>
    <source>line {0}: {1} is not a number</source>
-   <translation type="unfinished" />
+   <translation>Zeile {0}: {1} ist keine Zahl</translation>
   </message>
   <message>
    <source>lower side</source>
-   <translation type="unfinished" />
+   <translation>Unterseite</translation>
   </message>
   <message>
    <source>makes its micro-geometry rise by up to {0} µm per mm of the flank, more than {1}</source>
-   <translation type="unfinished" />
+   <translation>lässt die Mikrogeometrie um bis zu {0} µm je mm der Flanke steigen, mehr als {1}</translation>
+  </message>
+  <message>
+   <source>makes the {0}'s teeth pointed</source>
+   <translation>macht die Zähne am {0} spitz</translation>
   </message>
   <message>
    <source>measuring the gaps</source>
-   <translation type="unfinished" />
+   <translation>Spalte werden gemessen</translation>
   </message>
   <message>
    <source>meets the wheel inside its base cone with its tips</source>
-   <translation type="unfinished" />
+   <translation>trifft das Rad mit den Köpfen in dessen Grundkegel</translation>
   </message>
   <message>
    <source>meshing of the {0}</source>
-   <translation type="unfinished" />
+   <translation>Vernetzung: {0}</translation>
   </message>
   <message>
    <source>missing in {0}; write format = {1} in the first line</source>
-   <translation type="unfinished" />
+   <translation>fehlt in {0}; format = {1} in die erste Zeile schreiben</translation>
+  </message>
+  <message>
+   <source>more pinion teeth, a larger spiral angle or shallower teeth</source>
+   <translation>mehr Ritzelzähne, größeren Spiralwinkel oder niedrigere Zähne</translation>
   </message>
   <message>
    <source>more teeth</source>
-   <translation type="unfinished" />
+   <translation>mehr Zähne</translation>
   </message>
   <message>
    <source>more than {0}</source>
-   <translation type="unfinished" />
+   <translation>mehr als {0}</translation>
   </message>
   <message>
    <source>more than {0}, up to {1}</source>
-   <translation type="unfinished" />
+   <translation>mehr als {0}, bis {1}</translation>
   </message>
   <message>
    <source>no construction {0}; use {1}</source>
-   <translation type="unfinished" />
+   <translation>kein Aufbau {0}; {1} nehmen</translation>
   </message>
   <message>
    <source>no contact: at some turn no tooth of the pinion faces a flank of the wheel; {0}</source>
-   <translation type="unfinished" />
+   <translation>kein Kontakt: in einer Stellung steht kein Ritzelzahn einer Flanke des Rads gegenüber; {0}</translation>
   </message>
   <message>
    <source>no fillet of {0} mm joins root and start of contact on the {1}'s {2} flank; use a smaller fillet factor or a larger clearance</source>
-   <translation type="unfinished" />
+   <translation>keine Fußrundung von {0} mm verbindet Fuß und Kontaktbeginn am {1}, Flanke {2}; kleineren Fußrundungsfaktor oder größeres Kopfspiel nehmen</translation>
   </message>
   <message>
    <source>no known format; use {0}</source>
-   <translation type="unfinished" />
+   <translation>kein bekanntes Format; {0} nehmen</translation>
   </message>
   <message>
    <source>no permission</source>
-   <translation type="unfinished" />
+   <translation>keine Erlaubnis</translation>
   </message>
   <message>
    <source>no radius does with this spiral angle; use a spiral angle of at most {0}°</source>
-   <translation type="unfinished" />
+   <translation>bei diesem Spiralwinkel passt kein Radius; einen Spiralwinkel von höchstens {0}° nehmen</translation>
   </message>
   <message>
    <source>no radius does: use a narrower face width or a smaller spiral angle</source>
-   <translation type="unfinished" />
+   <translation>kein Radius passt: kleinere Zahnbreite oder kleineren Spiralwinkel nehmen</translation>
   </message>
   <message>
    <source>no such preset; the nearest is {0}{1}; presets: {2}</source>
-   <translation type="unfinished" />
+   <translation>keine solche Vorlage; die nächste ist {0}{1}; Vorlagen: {2}</translation>
   </message>
   <message>
    <source>none of the {0} faces is a flank of this {1}; {2}</source>
-   <translation type="unfinished" />
+   <translation>keine der {0} Flächen ist eine Flanke vom {1}; {2}</translation>
   </message>
   <message>
    <source>of a pair only the part 'gear' is written, not {0}</source>
-   <translation type="unfinished" />
+   <translation>von einem Paar wird nur der Teil 'gear' geschrieben, nicht {0}</translation>
   </message>
   <message>
    <source>one line of up to {0} characters</source>
-   <translation type="unfinished" />
+   <translation>eine Zeile mit bis zu {0} Zeichen</translation>
   </message>
   <message>
    <source>pictures are written as .png or .jpg</source>
-   <translation type="unfinished" />
+   <translation>Bilder werden als .png oder .jpg geschrieben</translation>
   </message>
   <message>
    <source>pipe along the tooth trace</source>
-   <translation type="unfinished" />
+   <translation>Rohr entlang der Flankenlinie</translation>
   </message>
   <message>
    <source>pitch angles {0}° and {1}°, spiral angles {2}° and {3}°</source>
-   <translation type="unfinished" />
+   <translation>Teilkegelwinkel {0}° und {1}°, Spiralwinkel {2}° und {3}°</translation>
   </message>
   <message>
    <source>placing the tooth spaces</source>
-   <translation type="unfinished" />
+   <translation>Zahnlücken werden platziert</translation>
   </message>
   <message>
    <source>points along each side</source>
-   <translation type="unfinished" />
+   <translation>Punkte je Seite</translation>
   </message>
   <message>
    <source>points of the wheel's flank never touch the pinion</source>
-   <translation type="unfinished" />
+   <translation>Punkte der Radflanke berühren das Ritzel nie</translation>
   </message>
   <message>
    <source>points {0} mm apart are too many; use {1} mm or more</source>
-   <translation type="unfinished" />
+   <translation>Punkte im Abstand {0} mm sind zu viele; {1} mm oder mehr nehmen</translation>
   </message>
   <message>
    <source>polar angle lies inside the base cone: the involute does not exist there</source>
-   <translation type="unfinished" />
+   <translation>der Polarwinkel liegt im Grundkegel: dort gibt es die Evolvente nicht</translation>
   </message>
   <message>
    <source>psi, trace</source>
-   <translation type="unfinished" />
+   <translation>psi, Linie</translation>
   </message>
   <message>
    <source>recovery format {0} is not the {1} that this program reads</source>
-   <translation type="unfinished" />
+   <translation>Wiederherstellungsformat {0} ist nicht {1}, das dieses Programm liest</translation>
   </message>
   <message>
    <source>smaller amounts on both flanks of this member</source>
-   <translation type="unfinished" />
+   <translation>kleinere Beträge auf beiden Flanken dieses Rads</translation>
+  </message>
+  <message>
+   <source>smaller modifications, or other depths</source>
+   <translation>kleinere Modifikationen oder andere Zahnhöhen</translation>
   </message>
   <message>
    <source>some are flanks of a gear of the other hand</source>
-   <translation type="unfinished" />
+   <translation>einige sind Flanken eines Rads mit anderer Spiralrichtung</translation>
   </message>
   <message>
    <source>some are flanks of the {0}</source>
-   <translation type="unfinished" />
+   <translation>einige sind Flanken vom {0}</translation>
   </message>
   <message>
    <source>some are in {0}: give the file the right unit</source>
-   <translation type="unfinished" />
+   <translation>einige sind in {0}: der Datei die richtige Einheit geben</translation>
   </message>
   <message>
    <source>studying {0}, {1}</source>
-   <translation type="unfinished" />
+   <translation>{0}, {1} wird untersucht</translation>
   </message>
   <message>
    <source>take less misalignment</source>
-   <translation type="unfinished" />
+   <translation>kleinere Einbaufehler nehmen</translation>
   </message>
   <message>
    <source>taking points</source>
-   <translation type="unfinished" />
+   <translation>Punkte werden genommen</translation>
   </message>
   <message>
    <source>taking points of {0}</source>
-   <translation type="unfinished" />
+   <translation>Punkte von {0} werden genommen</translation>
   </message>
   <message>
    <source>the CAD kernel cannot read this as STEP</source>
-   <translation type="unfinished" />
+   <translation>der CAD-Kern kann dies nicht als STEP lesen</translation>
   </message>
   <message>
    <source>the CAD kernel cannot read this as {0}; it may be cut off or damaged</source>
-   <translation type="unfinished" />
+   <translation>der CAD-Kern kann dies nicht als {0} lesen; es ist vielleicht abgeschnitten oder beschädigt</translation>
   </message>
   <message>
    <source>the CAD kernel could not write the STEP file</source>
-   <translation type="unfinished" />
+   <translation>der CAD-Kern konnte die STEP-Datei nicht schreiben</translation>
   </message>
   <message>
    <source>the CAD kernel could not write the {0} file; the disk may be full</source>
-   <translation type="unfinished" />
+   <translation>der CAD-Kern konnte die {0}-Datei nicht schreiben; die Platte ist vielleicht voll</translation>
   </message>
   <message>
    <source>the CAD kernel made no face of the surface ({0})</source>
-   <translation type="unfinished" />
+   <translation>der CAD-Kern machte aus der Fläche kein Face ({0})</translation>
   </message>
   <message>
    <source>the CAD process died each time it tried: {0}</source>
-   <translation type="unfinished" />
+   <translation>der CAD-Prozess endete bei jedem Versuch: {0}</translation>
   </message>
   <message>
    <source>the arc of {0} mm does not cross {1} from {2} to {3} mm at less than {4}°; {5}</source>
-   <translation type="unfinished" />
+   <translation>der Bogen von {0} mm überquert {1} von {2} bis {3} mm nicht unter {4}°; {5}</translation>
   </message>
   <message>
    <source>the conjugate flank has no point where one was asked for; it is undercut or too short there</source>
-   <translation type="unfinished" />
+   <translation>die konjugierte Flanke hat am gefragten Ort keinen Punkt; sie ist dort unterschnitten oder zu kurz</translation>
   </message>
   <message>
    <source>the disk is full</source>
-   <translation type="unfinished" />
+   <translation>die Platte ist voll</translation>
   </message>
   <message>
    <source>the disk is read-only</source>
-   <translation type="unfinished" />
+   <translation>die Platte ist schreibgeschützt</translation>
   </message>
   <message>
    <source>the disk quota is used up</source>
-   <translation type="unfinished" />
+   <translation>das Plattenkontingent ist verbraucht</translation>
   </message>
   <message>
    <source>the disk reports a fault</source>
-   <translation type="unfinished" />
+   <translation>die Platte meldet einen Fehler</translation>
   </message>
   <message>
    <source>the edge of a chamfer at the end of the teeth could not be followed</source>
-   <translation type="unfinished" />
+   <translation>der Kante einer Endfase konnte nicht gefolgt werden</translation>
   </message>
   <message>
    <source>the file is gone; its record is still there</source>
-   <translation type="unfinished" />
+   <translation>die Datei ist fort; ihr Prüfbericht ist noch da</translation>
   </message>
   <message>
    <source>the file is not as it was written: its checksum is another</source>
-   <translation type="unfinished" />
+   <translation>die Datei ist nicht wie geschrieben: ihre Prüfsumme ist eine andere</translation>
   </message>
   <message>
    <source>the file is too large for this disk</source>
-   <translation type="unfinished" />
+   <translation>die Datei ist zu groß für diese Platte</translation>
   </message>
   <message>
    <source>the fillet of a hypoid tooth could not be found</source>
-   <translation type="unfinished" />
+   <translation>die Fußrundung eines Hypoidzahns wurde nicht gefunden</translation>
   </message>
   <message>
    <source>the fillets of neighbouring {0} teeth overlap; use a smaller fillet factor</source>
-   <translation type="unfinished" />
+   <translation>die Fußrundungen benachbarter Zähne am {0} überlappen; kleineren Fußrundungsfaktor nehmen</translation>
   </message>
   <message>
    <source>the film could not be encoded</source>
-   <translation type="unfinished" />
+   <translation>der Film konnte nicht kodiert werden</translation>
   </message>
   <message>
    <source>the film could not be encoded; the disk may be full</source>
-   <translation type="unfinished" />
+   <translation>der Film konnte nicht kodiert werden; die Platte ist vielleicht voll</translation>
   </message>
   <message>
    <source>the flank is undercut below the start of contact</source>
-   <translation type="unfinished" />
+   <translation>die Flanke ist unter dem Kontaktbeginn unterschnitten</translation>
   </message>
   <message>
    <source>the flank's curvature is infinite on the base cone; take points above it</source>
-   <translation type="unfinished" />
+   <translation>die Krümmung der Flanke ist auf dem Grundkegel unendlich; Punkte darüber nehmen</translation>
   </message>
   <message>
    <source>the flanks of neighbouring {0} teeth meet above the root cone</source>
-   <translation type="unfinished" />
+   <translation>die Flanken benachbarter Zähne am {0} treffen sich über dem Fußkegel</translation>
   </message>
   <message>
    <source>the flanks' normal pressure angles would be {0}° and {1}°, outside 0° to 45°; use a factor of at most {2}</source>
-   <translation type="unfinished" />
+   <translation>die Normaleingriffswinkel der Flanken wären {0}° und {1}°, außerhalb 0° bis 45°; einen Faktor von höchstens {2} nehmen</translation>
   </message>
   <message>
    <source>the gear's axis lies along {0}, turn it to +z</source>
-   <translation type="unfinished" />
+   <translation>die Radachse liegt entlang {0}, nach +z drehen</translation>
   </message>
   <message>
    <source>the header names no column {0}; it needs x, y and z</source>
-   <translation type="unfinished" />
+   <translation>die Kopfzeile nennt keine Spalte {0}; x, y und z sind nötig</translation>
   </message>
   <message>
    <source>the header says {0}; convert the points to mm</source>
-   <translation type="unfinished" />
+   <translation>die Kopfzeile sagt {0}; die Punkte in mm umrechnen</translation>
   </message>
   <message>
    <source>the heel</source>
-   <translation type="unfinished" />
+   <translation>die Ferse</translation>
   </message>
   <message>
    <source>the job could not be sent: {0}: {1}</source>
-   <translation type="unfinished" />
+   <translation>der Auftrag konnte nicht gesendet werden: {0}: {1}</translation>
   </message>
   <message>
    <source>the kernel could not cut the tooth spaces from the blank</source>
-   <translation type="unfinished" />
+   <translation>der Kern konnte die Zahnlücken nicht aus dem Rohling schneiden</translation>
   </message>
   <message>
    <source>the kernel's interpolation of the points failed</source>
-   <translation type="unfinished" />
+   <translation>die Interpolation der Punkte durch den Kern misslang</translation>
   </message>
   <message>
    <source>the kernel's {0} failed: {1}</source>
-   <translation type="unfinished" />
+   <translation>Kern, {0}: misslungen: {1}</translation>
   </message>
   <message>
    <source>the kernel's {0} gave {1} faces where one was expected</source>
-   <translation type="unfinished" />
+   <translation>Kern, {0}: {1} Flächen, wo eine erwartet war</translation>
   </message>
   <message>
    <source>the name is too long</source>
-   <translation type="unfinished" />
+   <translation>der Name ist zu lang</translation>
   </message>
   <message>
    <source>the order of convergence takes three constructions or more</source>
-   <translation type="unfinished" />
+   <translation>die Konvergenzordnung braucht drei oder mehr Aufbauten</translation>
   </message>
   <message>
    <source>the part {0} is not offered; parts: {1}</source>
-   <translation type="unfinished" />
+   <translation>der Teil {0} wird nicht angeboten; Teile: {1}</translation>
   </message>
   <message>
    <source>the pinion's {0} flank {1}; {2}</source>
-   <translation type="unfinished" />
+   <translation>Ritzelflanke {0} {1}; {2}</translation>
   </message>
   <message>
-   <source>the points do not lie on this {0}'s flanks: {1} mm rms are left after the best fit, where {2} mm could be a measured deviation; {3}</source>
-   <translation type="unfinished" />
+   <source>the points are {0} mm rms from this {1}'s flanks as they lie; they fit when the best fit may turn and shift the part</source>
+   <translation>die Punkte liegen so {0} mm rms von den Flanken am {1}; sie passen, wenn die Einpassung drehen und schieben darf</translation>
+  </message>
+  <message>
+   <source>the points do not lie on this {0}'s flanks: {1} mm rms are left after the best fit{2}; {3}</source>
+   <translation>die Punkte liegen nicht auf den Flanken vom {0}: nach der Einpassung bleiben {1} mm rms{2}; {3}</translation>
   </message>
   <message>
    <source>the points do not tell turning and shifting apart; measure more of the flanks or fix one of the two</source>
-   <translation type="unfinished" />
+   <translation>die Punkte unterscheiden Drehen und Schieben nicht; mehr von den Flanken messen oder eines festhalten</translation>
   </message>
   <message>
    <source>the points look as if they were in {0}: multiplied by {1} they lie on the {2}'s teeth; convert them to mm</source>
-   <translation type="unfinished" />
+   <translation>die Punkte sehen aus wie in {0}: mal {1} liegen sie auf den Zähnen vom {2}; in mm umrechnen</translation>
   </message>
   <message>
    <source>the recursion of ISO 23509 Method 1 finds no pitch cones for this pair</source>
-   <translation type="unfinished" />
+   <translation>die Rekursion von ISO 23509 Methode 1 findet für dieses Paar keine Teilkegel</translation>
   </message>
   <message>
    <source>the root of the pinion</source>
-   <translation type="unfinished" />
+   <translation>dem Fuß des Ritzels</translation>
   </message>
   <message>
    <source>the root of the wheel</source>
-   <translation type="unfinished" />
+   <translation>dem Fuß des Rads</translation>
   </message>
   <message>
    <source>the solid is not closed</source>
-   <translation type="unfinished" />
+   <translation>der Körper ist nicht geschlossen</translation>
   </message>
   <message>
    <source>the solid is not valid</source>
-   <translation type="unfinished" />
+   <translation>der Körper ist ungültig</translation>
   </message>
   <message>
    <source>the standard taper</source>
-   <translation type="unfinished" />
+   <translation>die Standardverjüngung</translation>
   </message>
   <message>
    <source>the start of contact does not reach over the pinion's whole face; the pair is undercut there</source>
-   <translation type="unfinished" />
+   <translation>der Kontaktbeginn reicht nicht über die ganze Ritzelbreite; das Paar ist dort unterschnitten</translation>
   </message>
   <message>
    <source>the surface has no tangent plane somewhere; it is folded or starts on the base cone</source>
-   <translation type="unfinished" />
+   <translation>die Fläche hat irgendwo keine Tangentialebene; sie ist gefaltet oder beginnt auf dem Grundkegel</translation>
   </message>
   <message>
    <source>the teeth up to their heel corners</source>
-   <translation type="unfinished" />
+   <translation>die Zähne bis zu ihren Fersenecken</translation>
   </message>
   <message>
    <source>the tilted root line</source>
-   <translation type="unfinished" />
+   <translation>die geneigte Fußlinie</translation>
   </message>
   <message>
    <source>the tip of the pinion</source>
-   <translation type="unfinished" />
+   <translation>dem Kopf des Ritzels</translation>
   </message>
   <message>
    <source>the tip of the wheel</source>
-   <translation type="unfinished" />
+   <translation>dem Kopf des Rads</translation>
   </message>
   <message>
    <source>the toe</source>
-   <translation type="unfinished" />
+   <translation>der Zehe</translation>
   </message>
   <message>
    <source>the volume differs by {0}</source>
-   <translation type="unfinished" />
+   <translation>das Volumen weicht um {0} ab</translation>
   </message>
   <message>
    <source>the web's front face, {0} mm from the apex, must lie on the front cone between {1} and {2} mm; change the thickness by {3} mm</source>
-   <translation type="unfinished" />
+   <translation>die Vorderfläche des Stegs, {0} mm von der Spitze, muss auf dem Vorderkegel zwischen {1} und {2} mm liegen; die Dicke um {3} mm ändern</translation>
   </message>
   <message>
    <source>the wheel's cone of {0}° leaves the pinion no cone to match; use smaller addendum and dedendum angles, the uniform taper or a smaller shaft angle</source>
-   <translation type="unfinished" />
+   <translation>der Kegel des Rads von {0}° lässt dem Ritzel keinen passenden Kegel; kleinere Kopf- und Fußwinkel, gleich hohe Zähne oder kleineren Achsenwinkel nehmen</translation>
   </message>
   <message>
    <source>the whole face width</source>
-   <translation type="unfinished" />
+   <translation>die ganze Zahnbreite</translation>
   </message>
   <message>
    <source>the {0} could not be fitted within {1} µm (got {2} µm)</source>
-   <translation type="unfinished" />
+   <translation>{0} ließ sich nicht auf {1} µm annähern (erreicht {2} µm)</translation>
   </message>
   <message>
    <source>the {0} misses its limits by {1} mm and cannot be continued that far; the variant is too inaccurate for this design to make a tooth of</source>
-   <translation type="unfinished" />
+   <translation>{0} verfehlt die Grenzen um {1} mm und lässt sich nicht so weit fortsetzen; die Variante ist für diesen Entwurf zu ungenau für einen Zahn</translation>
+  </message>
+  <message>
+   <source>the {0} of a pair with {1}</source>
+   <translation>das {0} eines Paars mit {1}</translation>
   </message>
   <message>
    <source>the {0}'s teeth are pointed ({1} mm at the tip); {2}</source>
-   <translation type="unfinished" />
+   <translation>die Zähne am {0} sind spitz ({1} mm am Kopf); {2}</translation>
   </message>
   <message>
    <source>the {0}'s teeth are pointed below their face cone</source>
-   <translation type="unfinished" />
+   <translation>die Zähne am {0} sind unter dem Kopfkegel spitz</translation>
   </message>
   <message>
    <source>the {0}'s {1} flank meets its base cone along its fillet; use another fillet factor</source>
-   <translation type="unfinished" />
+   <translation>die Flanke ({1}) am {0} trifft entlang der Fußrundung ihren Grundkegel; anderen Fußrundungsfaktor nehmen</translation>
   </message>
   <message>
    <source>the {0}'s {1} {2}</source>
-   <translation type="unfinished" />
+   <translation>{0}, {1}: {2}</translation>
   </message>
   <message>
    <source>there are no faces in it; points can be taken from solids and surfaces only</source>
-   <translation type="unfinished" />
+   <translation>es sind keine Flächen darin; Punkte gibt es nur von Körpern und Flächen</translation>
   </message>
   <message>
    <source>there are no points in it</source>
-   <translation type="unfinished" />
+   <translation>es sind keine Punkte darin</translation>
   </message>
   <message>
    <source>there is a file where the folder should be</source>
-   <translation type="unfinished" />
+   <translation>wo der Ordner sein sollte, ist eine Datei</translation>
   </message>
   <message>
    <source>there is a folder of this name</source>
-   <translation type="unfinished" />
+   <translation>es gibt einen Ordner dieses Namens</translation>
   </message>
   <message>
    <source>there is no such file</source>
-   <translation type="unfinished" />
+   <translation>diese Datei gibt es nicht</translation>
   </message>
   <message>
    <source>there is no such file or folder</source>
-   <translation type="unfinished" />
+   <translation>diese Datei oder diesen Ordner gibt es nicht</translation>
   </message>
   <message>
    <source>these values make no gear: {0}</source>
-   <translation type="unfinished" />
+   <translation>diese Werte ergeben kein Rad: {0}</translation>
   </message>
   <message>
    <source>they are of another gear (number of teeth, spiral angle, hand)</source>
-   <translation type="unfinished" />
+   <translation>sie gehören zu einem anderen Rad (Zähnezahl, Spiralwinkel, Richtung)</translation>
   </message>
   <message>
    <source>they are of another gear, or the origin is not at the apex and z not along the axis</source>
-   <translation type="unfinished" />
+   <translation>sie gehören zu einem anderen Rad, oder der Ursprung ist nicht in der Spitze und z nicht entlang der Achse</translation>
   </message>
   <message>
    <source>they fit a gear of the other hand</source>
-   <translation type="unfinished" />
+   <translation>sie passen zu einem Rad mit anderer Spiralrichtung</translation>
   </message>
   <message>
    <source>they fit the {0}</source>
-   <translation type="unfinished" />
+   <translation>sie passen zum {0}</translation>
+  </message>
+  <message>
+   <source>they fit {0}: {1} mm rms are left</source>
+   <translation>sie passen zu {0}: {1} mm rms bleiben</translation>
   </message>
   <message>
    <source>this is a device, not a file</source>
-   <translation type="unfinished" />
+   <translation>dies ist ein Gerät, keine Datei</translation>
   </message>
   <message>
    <source>this is a folder, not a file</source>
-   <translation type="unfinished" />
+   <translation>dies ist ein Ordner, keine Datei</translation>
   </message>
   <message>
    <source>this is no complete {0} file; it may be cut off or damaged</source>
-   <translation type="unfinished" />
+   <translation>dies ist keine vollständige {0}-Datei; sie ist vielleicht abgeschnitten oder beschädigt</translation>
   </message>
   <message>
    <source>this is no record of an export, or a damaged one; export again</source>
-   <translation type="unfinished" />
+   <translation>dies ist kein Exportbericht oder ein beschädigter; neu exportieren</translation>
   </message>
   <message>
    <source>this is no recovery file of GearStudio ({0})</source>
-   <translation type="unfinished" />
+   <translation>dies ist keine Wiederherstellungsdatei von GearStudio ({0})</translation>
   </message>
   <message>
    <source>this is not a file name</source>
-   <translation type="unfinished" />
+   <translation>dies ist kein Dateiname</translation>
   </message>
   <message>
    <source>this is not the {0} {1} of this design: what is in it fills {2} mm</source>
-   <translation type="unfinished" />
+   <translation>dies ist nicht {0}, {1} aus diesem Entwurf: der Inhalt füllt {2} mm</translation>
   </message>
   <message>
    <source>this misalignment takes {0} mm of backlash that the pair does not have: the teeth jam; give more backlash</source>
-   <translation type="unfinished" />
+   <translation>dieser Einbaufehler braucht {0} mm Flankenspiel, das das Paar nicht hat: die Zähne klemmen; mehr Flankenspiel geben</translation>
   </message>
   <message>
    <source>toe chamfer</source>
-   <translation type="unfinished" />
+   <translation>Fase an der Zehe</translation>
   </message>
   <message>
    <source>toe end</source>
-   <translation type="unfinished" />
+   <translation>Ende an der Zehe</translation>
   </message>
   <message>
    <source>tooth {0} {1}</source>
-   <translation type="unfinished" />
+   <translation>Zahn {0} {1}</translation>
   </message>
   <message>
    <source>triangles lie {0} µm from the surfaces {1}</source>
-   <translation type="unfinished" />
+   <translation>Dreiecke liegen {0} µm von den Flächen {1}</translation>
   </message>
   <message>
    <source>triangles within {0} mm and {1}° of the {2} would be more than {3} million; allow a larger distance or angle</source>
-   <translation type="unfinished" />
+   <translation>Dreiecke innerhalb {0} mm und {1}° ({2}) wären über {3} Millionen; größeren Abstand oder Winkel zulassen</translation>
   </message>
   <message>
    <source>turning the blank</source>
-   <translation type="unfinished" />
+   <translation>Rohling wird gedreht</translation>
   </message>
   <message>
    <source>unexpected error: {0}</source>
-   <translation type="unfinished" />
+   <translation>unerwarteter Fehler: {0}</translation>
   </message>
   <message>
    <source>unknown key; the nearest known one is {0}</source>
-   <translation type="unfinished" />
+   <translation>unbekannter Schlüssel; der nächste bekannte ist {0}</translation>
   </message>
   <message>
    <source>unknown spacing {0}; use one of {1}</source>
-   <translation type="unfinished" />
+   <translation>unbekannter Abstand {0}; eines von {1} nehmen</translation>
   </message>
   <message>
    <source>use a depth factor of {0} with a mean addendum factor of {1}</source>
-   <translation type="unfinished" />
+   <translation>Zahnhöhenfaktor {0} mit mittlerem Kopfhöhenfaktor {1} nehmen</translation>
   </message>
   <message>
    <source>use a mean addendum factor of {0} (a profile shift of the pinion of {1})</source>
-   <translation type="unfinished" />
+   <translation>mittleren Kopfhöhenfaktor {0} nehmen (Profilverschiebung des Ritzels {1})</translation>
   </message>
   <message>
    <source>use a pressure angle of {0}° with a mean addendum factor of {1}</source>
-   <translation type="unfinished" />
+   <translation>Eingriffswinkel {0}° mit mittlerem Kopfhöhenfaktor {1} nehmen</translation>
   </message>
   <message>
    <source>use a smaller offset</source>
-   <translation type="unfinished" />
+   <translation>kleineren Achsversatz nehmen</translation>
   </message>
   <message>
    <source>use a smaller offset or face width</source>
-   <translation type="unfinished" />
+   <translation>kleineren Achsversatz oder kleinere Zahnbreite nehmen</translation>
   </message>
   <message>
    <source>use a spiral angle of at least {0}°</source>
-   <translation type="unfinished" />
+   <translation>einen Spiralwinkel von mindestens {0}° nehmen</translation>
   </message>
   <message>
    <source>use at least {0} mm</source>
-   <translation type="unfinished" />
+   <translation>mindestens {0} mm nehmen</translation>
   </message>
   <message>
    <source>use at most {0} mm</source>
-   <translation type="unfinished" />
+   <translation>höchstens {0} mm nehmen</translation>
   </message>
   <message>
    <source>use more pinion teeth or a larger spiral angle</source>
-   <translation type="unfinished" />
+   <translation>mehr Ritzelzähne oder größeren Spiralwinkel nehmen</translation>
   </message>
   <message>
    <source>use {0}</source>
-   <translation type="unfinished" />
+   <translation>{0} nehmen</translation>
   </message>
   <message>
    <source>whole number</source>
-   <translation type="unfinished" />
+   <translation>ganze Zahl</translation>
   </message>
   <message>
    <source>with an offset each member has a transverse pressure angle of its own; give the normal one</source>
-   <translation type="unfinished" />
+   <translation>mit Achsversatz hat jedes Rad einen eigenen Stirneingriffswinkel; den normalen angeben</translation>
   </message>
   <message>
    <source>with an offset the spiral angle is given at the mean point; use mean</source>
-   <translation type="unfinished" />
+   <translation>mit Achsversatz gilt der Spiralwinkel im Mittelpunkt; Mitte wählen</translation>
   </message>
   <message>
    <source>writing {0}</source>
-   <translation type="unfinished" />
+   <translation>{0} wird geschrieben</translation>
   </message>
   <message>
    <source>{0} MB is too large for a design file; the most is 1 MB</source>
-   <translation type="unfinished" />
+   <translation>{0} MB sind zu viel für eine Entwurfsdatei; höchstens 1 MB</translation>
   </message>
   <message>
    <source>{0} after reading the file back</source>
-   <translation type="unfinished" />
+   <translation>{0} nach dem Zurücklesen der Datei</translation>
   </message>
   <message>
    <source>{0} cannot be a {1}; {2}</source>
-   <translation type="unfinished" />
+   <translation>{0} kann kein Wert sein für {1}; {2}</translation>
   </message>
   <message>
    <source>{0} cannot be written as {1}; formats: {2}</source>
-   <translation type="unfinished" />
+   <translation>{0} kann nicht als {1} geschrieben werden; Formate: {2}</translation>
   </message>
   <message>
    <source>{0} is above the most of {1}{2}; {3}</source>
-   <translation type="unfinished" />
+   <translation>{0} liegt über dem Höchstwert {1}{2}; {3}</translation>
   </message>
   <message>
    <source>{0} is below the least of {1}{2}; {3}</source>
-   <translation type="unfinished" />
+   <translation>{0} liegt unter dem Mindestwert {1}{2}; {3}</translation>
   </message>
   <message>
    <source>{0} is more than the wheel's {1} teeth; the pinion is the member with fewer: exchange them</source>
-   <translation type="unfinished" />
+   <translation>{0} ist mehr als die {1} Zähne des Rads; das Ritzel hat weniger Zähne: beide tauschen</translation>
   </message>
   <message>
    <source>{0} is not a design; a design is a table of keys</source>
-   <translation type="unfinished" />
+   <translation>{0} ist kein Entwurf; ein Entwurf ist eine Tabelle von Schlüsseln</translation>
   </message>
   <message>
    <source>{0} is not a finite number; {1}</source>
-   <translation type="unfinished" />
+   <translation>{0} ist keine endliche Zahl; {1}</translation>
   </message>
   <message>
    <source>{0} is not a format number; write format = {1}</source>
-   <translation type="unfinished" />
+   <translation>{0} ist keine Formatnummer; format = {1} schreiben</translation>
   </message>
   <message>
    <source>{0} is not a table; write [{1}] and its keys below it</source>
-   <translation type="unfinished" />
+   <translation>{0} ist keine Tabelle; [{1}] und darunter die Schlüssel schreiben</translation>
   </message>
   <message>
    <source>{0} is not a whole number; {1}</source>
-   <translation type="unfinished" />
+   <translation>{0} ist keine ganze Zahl; {1}</translation>
   </message>
   <message>
    <source>{0} is not a {1}; {2}</source>
-   <translation type="unfinished" />
+   <translation>{0} ist keine {1}; {2}</translation>
   </message>
   <message>
    <source>{0} is not above {1}{2}; {3}</source>
-   <translation type="unfinished" />
+   <translation>{0} liegt nicht über {1}{2}; {3}</translation>
   </message>
   <message>
    <source>{0} is not one of the choices; {1}</source>
-   <translation type="unfinished" />
+   <translation>{0} gehört nicht zur Auswahl; {1}</translation>
   </message>
   <message>
    <source>{0} is too narrow to make a tooth; use at least {1}</source>
-   <translation type="unfinished" />
+   <translation>{0} ist zu schmal für einen Zahn; mindestens {1} nehmen</translation>
   </message>
   <message>
    <source>{0} leaves a member no addendum at the mean point; use a smaller profile shift or a larger addendum factor</source>
-   <translation type="unfinished" />
+   <translation>{0} lässt einem Rad im Mittelpunkt keine Kopfhöhe; kleinere Profilverschiebung oder größeren Kopfhöhenfaktor nehmen</translation>
+  </message>
+  <message>
+   <source>{0} leaves the {1} no root: {2}{3}</source>
+   <translation>{0} lässt dem {1} keinen Fuß: {2}{3}</translation>
   </message>
   <message>
    <source>{0} leaves the {1} no {2} ({3} mm): its teeth do not reach across the pitch cone; use {4}</source>
-   <translation type="unfinished" />
+   <translation>{0} lässt am {1} keine {2} ({3} mm): die Zähne reichen nicht über den Teilkegel; {4} nehmen</translation>
   </message>
   <message>
    <source>{0} leaves the {1}'s teeth no thickness at the pitch cone; use {2}</source>
-   <translation type="unfinished" />
+   <translation>{0} lässt den Zähnen am {1} keine Dicke auf dem Teilkegel; {2} nehmen</translation>
   </message>
   <message>
    <source>{0} lets the {1}'s fillet reach into the flank that meets the mate's tip; use {2}</source>
-   <translation type="unfinished" />
+   <translation>{0} lässt die Fußrundung am {1} in die Flanke reichen, die den Kopf des Gegenrads trifft; {2} nehmen</translation>
   </message>
   <message>
    <source>{0} lets the {1}'s tip reach below the {2}'s base cone, where no conjugate flank is: the teeth interfere there; use {3}</source>
-   <translation type="unfinished" />
+   <translation>{0} lässt den Kopf am {1} unter den Grundkegel am {2} reichen, wo es keine konjugierte Flanke gibt: die Zähne stören sich dort; {3} nehmen</translation>
+  </message>
+  <message>
+   <source>{0} makes no conjugate pinion: its {1}; use {2}</source>
+   <translation>{0} gibt kein konjugiertes Ritzel: {1}; {2} nehmen</translation>
   </message>
   <message>
    <source>{0} makes the contact ratio only {1}: a pair of teeth parts before the next one meets; a larger addendum factor, spiral angle or face width raises it</source>
-   <translation type="unfinished" />
+   <translation>{0} macht die Überdeckung nur {1}: ein Zahnpaar trennt sich, ehe das nächste greift; größerer Kopfhöhenfaktor, Spiralwinkel oder Zahnbreite hebt sie</translation>
   </message>
   <message>
    <source>{0} makes the {1}'s fillet reach its tip: no flank is left; use {2}</source>
-   <translation type="unfinished" />
+   <translation>{0} lässt die Fußrundung am {1} den Kopf erreichen: keine Flanke bleibt; {2} nehmen</translation>
   </message>
   <message>
    <source>{0} makes the {1}'s fillets overlap: its root is rounded fully, with a radius of {2} mm instead of {3} mm; use {4} to keep a root land</source>
-   <translation type="unfinished" />
+   <translation>{0} lässt die Fußrundungen am {1} überlappen: der Fuß ist voll gerundet, mit Radius {2} mm statt {3} mm; {4} nehmen, damit ein Fußgrund bleibt</translation>
   </message>
   <message>
    <source>{0} makes the {1}'s flanks meet below its tip cone: the teeth are pointed; use {2}</source>
-   <translation type="unfinished" />
+   <translation>{0} lässt die Flanken am {1} sich unter dem Kopfkegel treffen: die Zähne sind spitz; {2} nehmen</translation>
   </message>
   <message>
    <source>{0} makes the {1}'s teeth touch each other at the foot: there is no tooth space; use {2}</source>
-   <translation type="unfinished" />
+   <translation>{0} lässt die Zähne am {1} einander am Fuß berühren: es gibt keine Zahnlücke; {2} nehmen</translation>
   </message>
   <message>
    <source>{0} makes the {1}'s tip only {2} mm wide at the heel, less than {3} modules; a smaller addendum factor or profile shift makes it wider</source>
-   <translation type="unfinished" />
+   <translation>{0} macht den Kopf am {1} an der Ferse nur {2} mm breit, weniger als {3} Module; kleinerer Kopfhöhenfaktor oder Profilverschiebung macht ihn breiter</translation>
   </message>
   <message>
    <source>{0} measured points are too few; a best fit takes 3 or more</source>
-   <translation type="unfinished" />
+   <translation>{0} Messpunkte sind zu wenige; eine Einpassung braucht 3 oder mehr</translation>
   </message>
   <message>
    <source>{0} mm is more than half the outer cone distance of {1} mm; use at most {2} mm</source>
-   <translation type="unfinished" />
+   <translation>{0} mm sind mehr als die halbe äußere Teilkegellänge von {1} mm; höchstens {2} mm nehmen</translation>
   </message>
   <message>
    <source>{0} mm is too narrow to make a tooth at an outer cone distance of {1} mm; use at least {2} mm</source>
-   <translation type="unfinished" />
+   <translation>{0} mm sind zu schmal für einen Zahn bei einer äußeren Teilkegellänge von {1} mm; mindestens {2} mm nehmen</translation>
   </message>
   <message>
    <source>{0} of the points lie beside the {1}'s teeth: they are {2} to {3} mm from the apex and at {4}° to {5}° from the axis, its flanks at {6} to {7} mm and {8}° to {9}°; {10}</source>
-   <translation type="unfinished" />
+   <translation>{0} der Punkte liegen neben den Zähnen vom {1}: sie sind {2} bis {3} mm von der Spitze und {4}° bis {5}° von der Achse, die Flanken {6} bis {7} mm und {8}° bis {9}°; {10}</translation>
   </message>
   <message>
    <source>{0} puts the {1}'s root cone at {2}°, and it must be above 0°; use {3}</source>
-   <translation type="unfinished" />
+   <translation>{0} legt den Fußkegel am {1} auf {2}°, er muss über 0° liegen; {3} nehmen</translation>
   </message>
   <message>
    <source>{0} puts the {1}'s tip at {2}° to {3}° along the face and leaves no involute flank above its {4} cone of {5}°; use {6}</source>
-   <translation type="unfinished" />
+   <translation>{0} legt den Kopf am {1} auf {2}° bis {3}° entlang der Breite und lässt keine Evolventenflanke über dem Kegel ({4}) von {5}°; {6} nehmen</translation>
   </message>
   <message>
    <source>{0} solids instead of {1} were found</source>
-   <translation type="unfinished" />
+   <translation>{0} Körper statt {1} gefunden</translation>
   </message>
   <message>
    <source>{0} tooth of the {1}</source>
-   <translation type="unfinished" />
+   <translation>Zahn, {0}, vom {1}</translation>
   </message>
   <message>
    <source>{0} tooth space</source>
-   <translation type="unfinished" />
+   <translation>Zahnlücke, {0}</translation>
   </message>
   <message>
    <source>{0} tooth's lower side</source>
-   <translation type="unfinished" />
+   <translation>Unterseite des Zahns, {0}</translation>
   </message>
   <message>
    <source>{0} {1} flank, cut off at its limits,</source>
-   <translation type="unfinished" />
+   <translation>{0}, Flanke {1}, an ihren Grenzen abgeschnitten,</translation>
   </message>
   <message>
    <source>{0} {1} of at {2} {3}{4}</source>
-   <translation type="unfinished" />
+   <translation>{1} {2} {3}{4}</translation>
   </message>
   <message>
    <source>{0} {1}solid{2}, {3} faces, {4} mm³ (relative difference {5})</source>
-   <translation type="unfinished" />
+   <translation>{0} {1}Körper, {3} Flächen, {4} mm³ (relativer Unterschied {5})</translation>
   </message>
   <message>
    <source>{0} µm on the {1}'s {2} flank {3}; use {4}</source>
-   <translation type="unfinished" />
+   <translation>{0} µm am {1}, Flanke {2}, {3}; {4} nehmen</translation>
   </message>
   <message>
    <source>{0} µm remained with {1} nodes where a step of the construction needs {2} µm; raise methods.tolerance_um</source>
-   <translation type="unfinished" />
+   <translation>{0} µm blieben mit {1} Knoten, wo ein Schritt des Aufbaus {2} µm braucht; methods.tolerance_um erhöhen</translation>
   </message>
   <message>
    <source>{0}: a number in it has thousands of digits</source>
-   <translation type="unfinished" />
+   <translation>{0}: eine Zahl darin hat Tausende von Ziffern</translation>
   </message>
   <message>
    <source>{0}: line {1} is not UTF-8 text; save the file as UTF-8</source>
-   <translation type="unfinished" />
+   <translation>{0}: Zeile {1} ist kein UTF-8-Text; die Datei als UTF-8 speichern</translation>
   </message>
   <message>
    <source>{0}: not a TOML file: tables or lists are nested too deeply</source>
-   <translation type="unfinished" />
+   <translation>{0}: keine TOML-Datei: Tabellen oder Listen sind zu tief verschachtelt</translation>
   </message>
   <message>
    <source>{0}: not a TOML file: {1}</source>
-   <translation type="unfinished" />
+   <translation>{0}: keine TOML-Datei: {1}</translation>
   </message>
   <message>
    <source>{0}: the file is empty; a design file begins with format = {1}</source>
-   <translation type="unfinished" />
+   <translation>{0}: die Datei ist leer; eine Entwurfsdatei beginnt mit format = {1}</translation>
   </message>
   <message>
    <source>{0}: the flanks touch on {1}: edge contact; less misalignment or more crowning avoids it</source>
-   <translation type="unfinished" />
+   <translation>{0}: die Flanken berühren sich an {1}: Kantentragen; kleinere Einbaufehler oder mehr Balligkeit vermeidet es</translation>
   </message>
   <message>
    <source>{0}: {1} failed: {2}</source>
-   <translation type="unfinished" />
+   <translation>{0}: {1} misslang: {2}</translation>
   </message>
   <message>
    <source>{0}° at the toe makes the mean spiral angle more than {1}°; use {2}</source>
-   <translation type="unfinished" />
+   <translation>{0}° an der Zehe machen den mittleren Spiralwinkel größer als {1}°; {2} nehmen</translation>
   </message>
   <message>
    <source>{0}° gives the {1} a pitch cone of {2}°, and it must stay below 90°; use at most {3}°, or numbers of teeth nearer to each other</source>
-   <translation type="unfinished" />
+   <translation>{0}° gibt dem Teilkegel am {1} {2}°, er muss unter 90° bleiben; höchstens {3}° nehmen, oder Zähnezahlen näher beieinander</translation>
   </message>
   <message>
    <source>{0}° makes the {1}'s face cone, {2}°, open backwards (above 90°) as that of an internal gear; a smaller shaft angle avoids it</source>
-   <translation type="unfinished" />
+   <translation>{0}° öffnet den Kopfkegel am {1}, {2}°, nach hinten (über 90°) wie bei einem Innenrad; ein kleinerer Achsenwinkel vermeidet es</translation>
   </message>
  </context>
 </TS>

@@ -1,0 +1,43 @@
+"""Which language the window speaks, and the translators of its words and of Qt's own."""
+
+from __future__ import annotations
+
+import logging
+from pathlib import Path
+
+from PySide6.QtCore import QCoreApplication, QLibraryInfo, QLocale, QSettings, QTranslator
+
+from ui.preferences import LANGUAGES, NAMES
+
+FOLDER = Path(__file__).parent / "translations"
+ENGLISH = "en"
+_QT = {"de": "qtbase_de", "zh": "qtbase_zh_CN"}
+log = logging.getLogger(__name__)
+
+
+def language_of_system(names: list[str]) -> str:
+    """The first of the languages offered among those that the user reads (``"de-AT"``), or English."""
+    offered = [code for code, _ in LANGUAGES if code]
+    return next((code for name in names for code in offered if name.lower().split("-")[0] == code), ENGLISH)
+
+
+def chosen_language(settings: QSettings | None, asked: str | None = None) -> str:
+    """What was asked for on the command line, else what the preferences say, else the system's language."""
+    choice = asked or (str(settings.value(NAMES["language"], "")) if settings is not None else "")
+    return choice if choice in dict(LANGUAGES) and choice else language_of_system(QLocale.system().uiLanguages())
+
+
+def install(application: QCoreApplication, language: str) -> tuple[QTranslator, ...]:
+    """Let the application speak a language (``"de"``, ``"zh"``; ``"en"`` needs nothing); before there is a window."""
+    if language == ENGLISH:
+        return ()
+    made = []
+    qt_folder = QLibraryInfo.path(QLibraryInfo.LibraryPath.TranslationsPath)
+    for name, folder in ((_QT[language], qt_folder), (f"gearstudio_{language}", str(FOLDER))):
+        translator = QTranslator(application)
+        if translator.load(name, folder):
+            application.installTranslator(translator)
+            made.append(translator)
+        else:
+            log.warning("no translation %s in %s", name, folder)
+    return tuple(made)
