@@ -132,8 +132,9 @@ def _play(pair: PairGeometry, drive: FlankContact, coast: FlankContact) -> float
     return float((backlash + least / _ARCSEC) * wheel.outer_cone_distance * np.sin(wheel.pitch_angle))
 
 
-def _warnings(play: float, *sides: FlankContact) -> list[Issue]:
-    found = [
+def edge_warnings(*sides: FlankContact) -> list[Issue]:
+    """A warning for each direction in which edges touch instead of the flanks' inside."""
+    return [
         Issue(
             "edge_contact",
             "",
@@ -144,6 +145,10 @@ def _warnings(play: float, *sides: FlankContact) -> list[Issue]:
         for side in sides
         if side.path.edges
     ]
+
+
+def _warnings(play: float, *sides: FlankContact) -> list[Issue]:
+    found = edge_warnings(*sides)
     if play < -_JAM_MM:
         found.append(
             Issue(

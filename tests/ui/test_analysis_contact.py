@@ -154,6 +154,21 @@ def test_a_slider_recomputes_and_warns_of_edge_contact(page, qtbot) -> None:
     assert slider.value() == 100
 
 
+def test_while_a_slider_moves_only_what_is_looked_at_is_analysed(page, qtbot) -> None:
+    before, slider = page.view.result, page.controls.rows["offset"].slider
+    slider.setSliderDown(True)
+    slider.setValue(150)
+    settle(page, qtbot)
+    during = page.view.result
+    assert during.coast is before.coast and during.drive is not before.drive
+    assert "…" in page.facts.text() and "edge contact" in page.warning.text()
+    slider.setSliderDown(False)
+    settle(page, qtbot)
+    after = page.view.result
+    assert after.coast is not before.coast and np.isfinite(after.play_mm) and "…" not in page.facts.text()
+    assert after.drive.peak_to_peak_arcsec == during.drive.peak_to_peak_arcsec
+
+
 def test_a_thicker_compound_marks_more(page, qtbot) -> None:
     page.controls.rows["offset"].set_value(0.05)
     settle(page, qtbot)

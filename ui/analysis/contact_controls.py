@@ -31,7 +31,7 @@ class ContactControls(QWidget):
     Signals
     -------
     changed()
-        Another misalignment or thickness.
+        Another misalignment or thickness, or a slider let go.
     side_chosen(str)
         ``"drive"`` or ``"coast"``.
     """
@@ -66,6 +66,7 @@ class ContactControls(QWidget):
         self.thickness.set_value(MARKING_THICKNESS_UM)
         for row in (*self.rows.values(), self.thickness):
             row.changed.connect(lambda _value: self.changed.emit())
+            row.slider.sliderReleased.connect(self.changed)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(10, 6, 8, 2)
         layout.setSpacing(5)
@@ -79,6 +80,11 @@ class ContactControls(QWidget):
     def misalignment(self) -> Misalignment:
         """As set."""
         return Misalignment(**{name: row.value for name, row in self.rows.items()})
+
+    @property
+    def sliding(self) -> bool:
+        """Whether a slider is being moved with the mouse."""
+        return any(row.slider.isSliderDown() for row in (*self.rows.values(), self.thickness))
 
     @property
     def thickness_um(self) -> float:

@@ -139,7 +139,8 @@ class ContactPage(QWidget):
     def _request(self) -> None:
         if self._pair is None:
             return
-        case = Case(self._pair, self.controls.misalignment, self.controls.thickness_um)
+        controls = self.controls
+        case = Case(self._pair, controls.misalignment, controls.thickness_um, controls.sliding)
         side, shown, known = self._side, self._shown, self._view
         self.work.request(self._pair, lambda: analyse(case, side, shown, known))
 

@@ -108,5 +108,11 @@ def facts(result: ContactResult, direction: Direction) -> tuple[tuple[str, str],
         (tr("Peak to peak"), f"{significant(peak)}″" if peak >= 1e-4 else "< 0.0001″"),
         (tr("Contact ratio"), f"{side.contact_ratio:.2f}"),
         (tr("Pattern"), f"{100 * side.pattern_share:.0f} %"),
-        (tr("Backlash"), f"{significant(result.play_mm * 1e3) if abs(result.play_mm) > 1e-6 else 0} µm"),
+        (tr("Backlash"), _backlash(result.play_mm)),
     )
+
+
+def _backlash(play_mm: float) -> str:
+    if np.isnan(play_mm):
+        return "…"
+    return f"{significant(play_mm * 1e3) if abs(play_mm) > 1e-6 else 0} µm"

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
-from gearstudio.analysis.contact import contact_analysis
+from gearstudio.analysis.contact import contact_analysis, edge_warnings, one_direction
 from gearstudio.analysis.contact_placing import Misalignment
 from gearstudio.analysis.contact_result import ContactResult, Direction
 from gearstudio.theory.cones import PairGeometry
@@ -17,11 +17,12 @@ Shown = Literal["pattern", "ease_off"]
 
 @dataclass(frozen=True)
 class Case:
-    """What the contact is analysed for."""
+    """What the contact is analysed for; while a slider moves only the direction that is looked at is."""
 
     pair: PairGeometry
     misalignment: Misalignment
     thickness_um: float
+    sliding: bool = False
 
 
 @dataclass(frozen=True)
@@ -47,9 +48,25 @@ def analyse(
     """
     if known is not None and known.case == case:
         result = known.result
+    elif known is not None and case.sliding and known.case.pair is case.pair:
+        result = _renewed(known.result, case, side)
     else:
         result = contact_analysis(case.pair, case.misalignment, thickness_um=case.thickness_um)
     one = result.direction(side)
     if shown == "ease_off":
         return ContactView(case, result, side, ease_off=ease_off_maps(case.pair, one))
     return ContactView(case, result, side, patterns=patterns(case.pair, one))
+
+
+def _renewed(known: ContactResult, case: Case, side: Direction) -> ContactResult:
+    """One direction analysed again; the other is as it was, and the backlash, which takes both, is not known."""
+    fresh = one_direction(case.pair, side, case.misalignment, case.thickness_um)
+    both = {"drive": known.drive, "coast": known.coast, side: fresh}
+    return replace(
+        known,
+        misalignment=case.misalignment,
+        thickness_um=case.thickness_um,
+        play_mm=float("nan"),
+        warnings=tuple(edge_warnings(fresh)),
+        **both,
+    )
