@@ -17,9 +17,10 @@ from numpy.typing import NDArray
 from gearstudio.exchange.colors import linear_color
 from gearstudio.formats import USUAL, ExportOptions
 from gearstudio.results import Mesh
+from gearstudio.theory.place import Place
 
 Floats = NDArray[np.float64]
-NamedMesh = tuple[str, Mesh, Floats]
+NamedMesh = tuple[str, Mesh, Place]
 
 _UNITS = {"m": 1e-3, "mm": 1.0}
 _UPS = {"y": np.array([[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, -1.0, 0.0]]), "z": np.eye(3)}
@@ -41,9 +42,10 @@ def write(path: Path, meshes: Sequence[NamedMesh], options: ExportOptions = USUA
         "accessors": [],
         "bufferViews": [],
     }
-    for index, (name, mesh, placement) in enumerate(meshes):
+    for index, (name, mesh, place) in enumerate(meshes):
         matrix = np.eye(4)
-        matrix[:3, :3] = _UPS[options.glb_up] @ placement
+        matrix[:3, :3] = _UPS[options.glb_up] @ place.matrix
+        matrix[:3, 3] = _UPS[options.glb_up] @ place.shift * _UNITS[options.glb_unit]
         title = {"name": name} if options.names else {}
         tree["nodes"].append({**title, "mesh": index, "matrix": matrix.T.ravel().tolist()})
         points = (mesh.points * _UNITS[options.glb_unit]).astype("<f4")
@@ -91,9 +93,10 @@ def read(path: Path) -> list[Mesh]:
     for node in tree["nodes"]:
         primitives = tree["meshes"][node["mesh"]]["primitives"]
         points = values(primitives[0]["attributes"]["POSITION"], "<f4", 3).astype(np.float64) / unit
-        turn = up.T @ np.array(node["matrix"]).reshape(4, 4).T[:3, :3]
+        matrix = np.array(node["matrix"]).reshape(4, 4).T
+        place = Place(up.T @ matrix[:3, :3], up.T @ matrix[:3, 3] / unit)
         corners = [values(p["indices"], "<u4", 1).reshape(-1, 3).astype(np.int64) for p in primitives]
-        meshes.append(Mesh(points @ turn.T, {str(k): part for k, part in enumerate(corners)}))
+        meshes.append(Mesh(place.of(points), {str(k): part for k, part in enumerate(corners)}))
     return meshes
 
 

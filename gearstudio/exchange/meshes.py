@@ -13,29 +13,30 @@ from gearstudio.errors import FileError
 from gearstudio.exchange import glb, stl, threemf
 from gearstudio.formats import ExportOptions
 from gearstudio.results import Mesh
+from gearstudio.theory.place import Place
 
 Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
 class MeshPart:
-    """A closed mesh to hand on: its name, and the rotation (3, 3) about the common apex that places it."""
+    """A closed mesh to hand on: its name, and where it stands."""
 
     name: str
     mesh: Mesh
-    placement: Floats
+    place: Place
 
     @property
     def placed(self) -> Mesh:
         """The mesh where it stands."""
-        return Mesh(self.mesh.points @ self.placement.T, self.mesh.groups)
+        return Mesh(self.place.of(self.mesh.points), self.mesh.groups)
 
 
 Writer = Callable[[Path, Sequence[MeshPart], ExportOptions], None]
 _WRITERS: dict[str, Writer] = {
     "stl": lambda path, parts, options: stl.write(path, [part.placed for part in parts], options.stl_encoding),
-    "3mf": lambda path, parts, options: threemf.write(path, [(p.name, p.mesh, p.placement) for p in parts], options),
-    "glb": lambda path, parts, options: glb.write(path, [(p.name, p.mesh, p.placement) for p in parts], options),
+    "3mf": lambda path, parts, options: threemf.write(path, [(p.name, p.mesh, p.place) for p in parts], options),
+    "glb": lambda path, parts, options: glb.write(path, [(p.name, p.mesh, p.place) for p in parts], options),
 }
 _READERS: dict[str, Callable[[Path], list[Mesh]]] = {"stl": stl.read, "3mf": threemf.read, "glb": glb.read}
 

@@ -12,6 +12,7 @@ from gearstudio.analysis.gear_deviation import GearTheory
 from gearstudio.checks import FaceCheck
 from gearstudio.methods.tooth import Tooth
 from gearstudio.results import Mesh
+from gearstudio.theory.place import Place
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -34,8 +35,8 @@ class Wanted:
     ----------
     name : str
     theory : GearTheory
-    placement : ndarray, shape (3, 3)
-        Rotation about the common apex that the file has it under.
+    place : Place
+        Where it stands in the file.
     limits_um : mapping of face name to float
         Farthest that each kind of face may lie from theory: as its surfaces do before they are written.
     single : bool
@@ -44,7 +45,7 @@ class Wanted:
 
     name: str
     theory: GearTheory
-    placement: Floats
+    place: Place
     limits_um: Mapping[str, float]
     single: bool = False
 
@@ -53,9 +54,7 @@ class Wanted:
         return self.limits_um.get(face, max(self.limits_um.values()))
 
 
-def wanted(
-    tooth: Tooth, outline: Floats | None, placement: Floats, tolerance_um: float, single: bool = False
-) -> Wanted:
+def wanted(tooth: Tooth, outline: Floats | None, place: Place, tolerance_um: float, single: bool = False) -> Wanted:
     """What to expect of a member: each kind of face may lie as far from theory as the tooth's own surfaces do.
 
     Parameters
@@ -63,7 +62,7 @@ def wanted(
     tooth : Tooth
     outline : ndarray, shape (n, 2), or None
         Of the turned body [mm].
-    placement : ndarray, shape (3, 3)
+    place : Place
     tolerance_um : float
         What every face is allowed at least.
     """
@@ -75,7 +74,7 @@ def wanted(
         name = theory.names[index]
         own = 1e3 * float(np.abs(theory.distance(name, face)).max())
         limits[name] = max(limits[name], _ALLOWANCE * own + rounding)
-    return Wanted(tooth.member.name, theory, placement, limits, single)
+    return Wanted(tooth.member.name, theory, place, limits, single)
 
 
 def check_faces(samples: Sequence[Floats], part: Wanted) -> tuple[FaceCheck, ...]:
@@ -87,7 +86,7 @@ def check_faces(samples: Sequence[Floats], part: Wanted) -> tuple[FaceCheck, ...
         Points of each face as they stand in the file [mm].
     part : Wanted
     """
-    placed = [points @ part.placement for points in samples if len(points)]
+    placed = [part.place.back(points) for points in samples if len(points)]
     if not placed:
         return ()
     theory = part.theory
@@ -110,7 +109,7 @@ def check_mesh(mesh: Mesh, part: Wanted) -> tuple[tuple[FaceCheck, ...], float]:
 
     Of more than 20 000 triangles so many are looked at, evenly spread.
     """
-    points = mesh.points @ part.placement
+    points = part.place.back(mesh.points)
     theory = part.theory
     teeth, faces, far = _nearest(theory, points)
     count = len(theory.names)

@@ -30,7 +30,8 @@ from gearstudio.methods.tooth import Tooth
 from gearstudio.results import Mesh
 from gearstudio.theory.blank import blank_outline
 from gearstudio.theory.cones import pair_geometry
-from gearstudio.theory.pair import pinion_placement, wheel_placement
+from gearstudio.theory.pair import placement
+from gearstudio.theory.place import Place
 
 Floats = NDArray[np.float64]
 
@@ -113,13 +114,13 @@ class Product:
 
     @cached_property
     def _meshes(self) -> list[MeshPart]:
-        return [MeshPart(name, self._mesh(name), self._placement(name)) for name in self._members]
+        return [MeshPart(name, self._mesh(name), self._place(name)) for name in self._members]
 
     @cached_property
     def _wanted(self) -> list[Wanted]:
         tolerance, single = self.design.methods.tolerance_um, self.part == "tooth"
         return [
-            wanted(self._tooth(name), None if single else self._outline(name), self._placement(name), tolerance, single)
+            wanted(self._tooth(name), None if single else self._outline(name), self._place(name), tolerance, single)
             for name in self._members
         ]
 
@@ -133,8 +134,8 @@ class Product:
         return self._part(name, gear.solid, gear.faces)
 
     def _part(self, name: str, solid: Solid, faces: tuple[tuple[str, Face], ...]) -> Part:
-        placement = self._placement(name) if self.member == "pair" else None
-        return Part(name, solid, solid_volume(solid), faces, _COLORS[name], _FLANK_COLORS, placement)
+        place = self._place(name) if self.member == "pair" else None
+        return Part(name, solid, solid_volume(solid), faces, _COLORS[name], _FLANK_COLORS, place)
 
     def _tooth(self, name: str) -> Tooth:
         if name not in self._teeth:
@@ -160,8 +161,5 @@ class Product:
         except GeometryError as error:
             raise ModellingError(self.method, f"meshing of the {name}", str(error)) from error
 
-    def _placement(self, name: str) -> Floats:
-        if self.member != "pair":
-            return np.eye(3)
-        pair = pair_geometry(self.design)
-        return pinion_placement(pair) if name == "pinion" else wheel_placement(pair)
+    def _place(self, name: str) -> Place:
+        return Place(*placement(pair_geometry(self.design), name)) if self.member == "pair" else Place()

@@ -14,9 +14,10 @@ from numpy.typing import NDArray
 from gearstudio.exchange.colors import face_color
 from gearstudio.formats import USUAL, ExportOptions
 from gearstudio.results import Mesh
+from gearstudio.theory.place import Place
 
 Floats = NDArray[np.float64]
-NamedMesh = tuple[str, Mesh, Floats]
+NamedMesh = tuple[str, Mesh, Place]
 
 _CORE = "http://schemas.microsoft.com/3dmanufacturing/core/2015/02"
 _MODEL = "3D/3dmodel.model"
@@ -41,7 +42,7 @@ def write(path: Path, meshes: Sequence[NamedMesh], options: ExportOptions = USUA
         _object(number, name if options.names else "", mesh, factor, groups)
         for number, (name, mesh, _) in enumerate(meshes, start=_MATERIALS + 1)
     )
-    items = "".join(_item(number, placed) for number, (_, _, placed) in enumerate(meshes, start=_MATERIALS + 1))
+    items = "".join(_item(number, placed, factor) for number, (_, _, placed) in enumerate(meshes, start=_MATERIALS + 1))
     model = (
         f'<?xml version="1.0" encoding="UTF-8"?>\n'
         f'<model unit="{options.threemf_unit}" xml:lang="en" xmlns="{_CORE}">\n'
@@ -101,8 +102,8 @@ def _paint(group: str, groups: Sequence[str]) -> str:
     return f' pid="{_MATERIALS}" p1="{groups.index(group)}"' if groups else ""
 
 
-def _item(number: int, placement: Floats) -> str:
-    rows = np.vstack([placement.T, np.zeros(3)]).ravel()
+def _item(number: int, place: Place, factor: float) -> str:
+    rows = np.vstack([place.matrix.T, factor * place.shift]).ravel()
     return f'<item objectid="{number}" transform="{" ".join(f"{value:.15g}" for value in rows)}"/>\n'
 
 

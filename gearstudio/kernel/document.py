@@ -6,7 +6,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 from OCP.gp import gp_Trsf
 from OCP.Quantity import Quantity_Color, Quantity_TypeOfColor
 from OCP.TCollection import TCollection_ExtendedString
@@ -17,7 +16,8 @@ from OCP.TopLoc import TopLoc_Location
 from OCP.TopoDS import TopoDS_Face, TopoDS_Shape, TopoDS_Solid
 from OCP.XCAFDoc import XCAFDoc_ColorType, XCAFDoc_DocumentTool
 
-Floats = NDArray[np.float64]
+from gearstudio.theory.place import Place
+
 Color = tuple[float, float, float]
 
 
@@ -37,8 +37,8 @@ class Part:
         Red, green, blue, 0 to 1.
     face_colors : tuple of (str, color)
         Of faces whose name ends in a word.
-    placement : ndarray, shape (3, 3), or None
-        Rotation about the common apex.
+    place : Place or None
+        Where it stands in an assembly.
     """
 
     name: str
@@ -47,21 +47,21 @@ class Part:
     faces: tuple[tuple[str, TopoDS_Face], ...] = ()
     color: Color = (0.72, 0.74, 0.78)
     face_colors: tuple[tuple[str, Color], ...] = ()
-    placement: Floats | None = None
+    place: Place | None = None
 
 
-def location(placement: Floats | None) -> TopLoc_Location:
-    """A rotation as the kernel's location."""
-    if placement is None:
+def location(place: Place | None) -> TopLoc_Location:
+    """A place as the kernel's location."""
+    if place is None:
         return TopLoc_Location()
     motion = gp_Trsf()
-    motion.SetValues(*np.column_stack([placement, np.zeros(3)]).ravel().tolist())
+    motion.SetValues(*np.column_stack([place.matrix, place.shift]).ravel().tolist())
     return TopLoc_Location(motion)
 
 
 def located(part: Part) -> TopoDS_Shape:
     """The part's solid where it stands."""
-    return part.solid.Located(location(part.placement))
+    return part.solid.Located(location(part.place))
 
 
 def make_document(name: str, parts: Sequence[Part], face_names: bool = True) -> TDocStd_Document:
@@ -73,7 +73,7 @@ def make_document(name: str, parts: Sequence[Part], face_names: bool = True) -> 
         whole = shapes.NewShape()
         set_name(whole, name)
         for label, part in zip(labels, parts, strict=True):
-            set_name(shapes.AddComponent(whole, label, location(part.placement)), part.name)
+            set_name(shapes.AddComponent(whole, label, location(part.place)), part.name)
         shapes.UpdateAssemblies()
     return document
 

@@ -43,7 +43,7 @@ class ProfileSweep:
         return self._published(flank) if variant == "published" else self._optimised(flank, target)
 
     def _published(self, flank: Flank) -> Construction:
-        profiles = [_section(flank, v, _PUBLISHED_POINTS) for v in (1.0, 0.0)]
+        profiles = _sections(flank, np.array([1.0, 0.0]), _PUBLISHED_POINTS)
         places = np.linspace(0.0, 1.0, _SPINE_POINTS)
         trace = flank.trace(1.0 - places)
         spine = curve_through(places, trace, _CURVE_DEGREE)
@@ -64,7 +64,7 @@ class ProfileSweep:
         points, sections = counts
         shares = np.linspace(0.0, 1.0, sections)
         v = flank.along(shares)
-        skinned = skin([_section(flank, place, points) for place in v], _SKIN_SHARE * target.tolerance)
+        skinned = skin(_sections(flank, v, points), _SKIN_SHARE * target.tolerance)
         surface = oriented(skinned, flank.points([[0.0], [1.0]], [[0.0, 1.0]]))
         curves = (*_drawn_sections(flank, v), *_drawn_guides(flank))
         settings = {"sections": sections, "points": points, "guides": len(_GUIDE_PLACES), "sweep": "skin"}
@@ -72,16 +72,17 @@ class ProfileSweep:
         return construction, node_errors(flank, surface, np.linspace(0.0, 1.0, points), shares)
 
 
-def _section(flank: Flank, v: float, points: int) -> Curve:
+def _sections(flank: Flank, v: Floats, points: int) -> list[Curve]:
     u = np.linspace(0.0, 1.0, points)
-    return curve_through(u, flank.points(u, v), _CURVE_DEGREE, flank.starts_on_base)
+    flat = flank.starts_on_base
+    return [curve_through(u, row, _CURVE_DEGREE, flat) for row in flank.points(u, v[:, None])]
 
 
 def _drawn_sections(flank: Flank, v: Floats) -> tuple[ConstructionCurve, ...]:
     u = np.linspace(0.0, 1.0, _DRAWN_POINTS)
-    return tuple(ConstructionCurve("section", flank.points(u, place)) for place in v)
+    return tuple(ConstructionCurve("section", row) for row in flank.points(u, v[:, None]))
 
 
 def _drawn_guides(flank: Flank) -> tuple[ConstructionCurve, ...]:
     v = np.linspace(0.0, 1.0, _DRAWN_POINTS)
-    return tuple(ConstructionCurve("guide", flank.points(place, v)) for place in _GUIDE_PLACES)
+    return tuple(ConstructionCurve("guide", row) for row in flank.points(np.array(_GUIDE_PLACES)[:, None], v))

@@ -18,6 +18,7 @@ Floats = NDArray[np.float64]
 _SAMPLES = 33
 _ROUNDS = 12
 _STEP = 1e-6
+_SETTLED = 1e-12
 _FARTHEST = 0.25
 _SAME_WEIGHT = 1e-9
 _CLEAR_OF_THE_CUSP = 5.0
@@ -169,6 +170,8 @@ class _Cut:
                 det = by_u[0] * by_v[1] - by_v[0] * by_u[1]
                 du, dv = (by_v[1] * f[0] - by_v[0] * f[1]) / det, (by_u[0] * f[1] - by_u[1] * f[0]) / det
             u, v = u - np.clip(du, -0.2, 0.2), v - np.clip(dv, -0.2, 0.2)
+            if max(np.max(np.abs(du)), np.max(np.abs(dv))) <= _SETTLED:
+                break
         self._check(u, v, np.max(np.abs(f)))
         return np.stack([u, v], axis=-1)
 

@@ -14,7 +14,7 @@ from gearstudio.theory.flank import FlankName, InvoluteFlank
 from gearstudio.theory.hypoid.best_line import best_line
 from gearstudio.theory.hypoid.edge import StartOfContact, start_of_contact
 from gearstudio.theory.hypoid.envelope import Envelope
-from gearstudio.theory.hypoid.inverse import generating_point
+from gearstudio.theory.hypoid.inverse import Guess, generating_point
 from gearstudio.theory.hypoid.pair import HypoidPair
 from gearstudio.theory.hypoid.vectors import dot, quarter
 
@@ -253,8 +253,29 @@ class ConjugateFlank:
 
     def generating(self, rho: Floats, delta: Floats) -> tuple[Floats, Floats]:
         """Natural coordinates at distances from the pitch apex [mm] and polar angles [rad]; raises as `coordinates`."""
-        lengthwise = self.member.lengthwise
-        return generating_point(self.envelope, rho, delta, lengthwise.mean_cone_distance, self.member.pitch_angle)
+        m = self.member
+        guess = None if self._guess is None else self._guess.at(*self._shares(rho, delta))
+        return generating_point(self.envelope, rho, delta, m.lengthwise.mean_cone_distance, m.pitch_angle, guess)
+
+    @cached_property
+    def _guess(self) -> Guess | None:
+        """Where to look for generating points, or None where the flank is not regular enough."""
+        v, u = (nodes.ravel() for nodes in Guess.places())
+        low, high = self.limits(v)
+        delta = low + u * (high - low)
+        rho, m = self.member.cone_distance(self._end_distance(v), delta), self.member
+        try:
+            found = generating_point(self.envelope, rho, delta, m.lengthwise.mean_cone_distance, m.pitch_angle)
+        except GeometryError:
+            return None
+        return Guess.through(*found)
+
+    def _shares(self, rho: Floats, delta: Floats) -> tuple[Floats, Floats]:
+        """v and u of places on the flank."""
+        m = self.member
+        v = np.asarray((m.end_distance(rho, delta) - m.inner_cone_distance) / m.face_width)
+        low, high = self.limits(v)
+        return v, np.asarray((delta - low) / (high - low))
 
     def _within(self, rho: Floats, delta: Floats) -> tuple[Floats, Floats]:
         """The nearest place not far beyond the edges."""

@@ -21,7 +21,8 @@ Floats = NDArray[np.float64]
 
 _NODES = 25
 _STEPS = 20
-_ACCURACY = 1e-13
+_ACCURACY = 1e-8
+"""Last step of a root [rad]: the next would be nearly its square."""
 _LOWEST = (0.15, 0.25, 0.35, 0.5, 0.65, 0.8, 1.0)
 
 
@@ -54,7 +55,7 @@ class ConjugateSide:
     def circle(self, rho_u: Floats) -> Circle:
         """See `FilletSide`."""
         m, s = self.whole.member, self._series
-        t = ((rho_u - m.inner_cone_distance) / m.face_width - 0.5) / (0.5 + BEYOND)
+        t = self._along(rho_u)
         radius, azimuth, foot = (
             np.asarray(chebyshev.chebval(t, c), dtype=np.float64) for c in (s.radius, s.centre_azimuth, s.foot_angle)
         )
@@ -62,12 +63,22 @@ class ConjugateSide:
 
     def tip_azimuth(self, rho_u: Floats) -> Floats:
         """See `FilletSide`."""
-        m = self.whole.member
-        return self._line(rho_u, m.limit_angle(m.tip_limit, rho_u))[0]
+        return np.asarray(chebyshev.chebval(self._along(rho_u), self._tip), dtype=np.float64)
 
     def start_azimuth(self) -> float:
         """There is no meridian."""
         raise NotImplementedError
+
+    @cached_property
+    def _tip(self) -> Floats:
+        """Chebyshev coefficients of the tip's azimuth."""
+        nodes, m = chebyshev.chebpts1(_NODES), self.whole.member
+        rho_u = places(m, 0.5 + (0.5 + BEYOND) * nodes)
+        return np.asarray(chebyshev.chebfit(nodes, self._line(rho_u, m.limit_angle(m.tip_limit, rho_u))[0], _NODES - 1))
+
+    def _along(self, rho_u: Floats) -> Floats:
+        """Where the polynomials are taken, -1 to 1 from a little before the toe to a little beyond the heel."""
+        return (_shares(self.whole.member, rho_u) - 0.5) / (0.5 + BEYOND)
 
     @cached_property
     def _series(self) -> Circle:
@@ -97,7 +108,7 @@ class ConjugateSide:
         def off(foot: Floats) -> Floats:
             return self._centre(rho_u, foot, radius)[0] - root - radius
 
-        foot = _secant(off, root + 0.4 * radius, root + 0.5 * radius)
+        foot = _secant(off, root + 0.6 * radius, root + 0.7 * radius)
         if np.any(foot > start) or np.any(foot < root):
             raise GeometryError(
                 f"a fillet of {self.radius * self.whole.member.outer_cone_distance:.4g} mm on the "

@@ -8,11 +8,18 @@ from numpy.typing import NDArray
 Floats = NDArray[np.float64]
 
 
+def of(x: Floats, y: Floats, z: Floats | np.float64) -> Floats:
+    """Vectors of components, the first as large as any; on short arrays several times faster than numpy's stack."""
+    made = np.empty((*x.shape, 3))
+    made[..., 0], made[..., 1], made[..., 2] = x, y, z
+    return made
+
+
 def cross(a: Floats, b: Floats) -> Floats:
     """a x b; several times faster on long arrays than numpy's own."""
     ax, ay, az = a[..., 0], a[..., 1], a[..., 2]
     bx, by, bz = b[..., 0], b[..., 1], b[..., 2]
-    return np.stack([ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx], axis=-1)
+    return of(ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx)
 
 
 def dot(a: Floats, b: Floats) -> Floats:
@@ -24,14 +31,20 @@ def turned(vectors: Floats, angle: Floats) -> Floats:
     """Vectors turned about z by an angle each."""
     c, s = np.cos(angle), np.sin(angle)
     x, y = vectors[..., 0], vectors[..., 1]
-    return np.stack([c * x - s * y, s * x + c * y, np.broadcast_to(vectors[..., 2], (c * x).shape)], axis=-1)
+    return of(c * x - s * y, s * x + c * y, vectors[..., 2])
 
 
 def quarter(vectors: Floats) -> Floats:
     """z x vectors."""
-    return np.stack([-vectors[..., 1], vectors[..., 0], np.zeros_like(vectors[..., 0])], axis=-1)
+    return of(-vectors[..., 1], vectors[..., 0], np.float64(0.0))
 
 
 def unit(vectors: Floats) -> Floats:
     """Vectors of length one."""
     return np.asarray(vectors / np.sqrt(dot(vectors, vectors))[..., None])
+
+
+def about_axis(angle: float) -> Floats:
+    """Rotation matrix about z, shape (3, 3)."""
+    c, s = np.cos(angle), np.sin(angle)
+    return np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
