@@ -91,6 +91,7 @@ COMMANDS = (
     Command("reset_layout", "&Reset layout", "Put every panel back in its place"),
     Command("reset_settings", "&Reset settings…", "Forget layout, lists and preferences; designs stay"),
     Command("guide", "&Guide", "How to use the studio", Keys.HelpContents),
+    Command("tour", "&Tour", "Where things are in the window, in six steps"),
     Command("glossary", "G&lossary", "The words of the field, as they are used here"),
     Command("equations", "&Equations", "Every formula, what the paper prints, and this design's numbers", "Shift+F2"),
     Command("about", "&About GearStudio", "What this is, and the versions of its parts"),
@@ -243,9 +244,8 @@ class Actions(QObject):
         for group in (self.members, self.methods, self.variants):
             model.addSeparator()
             model.addActions(group.actions())
-        _fill(
-            bar.addMenu(tr("&Help")), ("what_is_this", "keys", "", "about", "diagnostics", "", "reset_settings"), self
-        )
+        learn = ("guide", "tour", "glossary", "equations", "", "what_is_this", "keys")
+        _fill(bar.addMenu(tr("&Help")), (*learn, "", "about", "diagnostics", "", "reset_settings"), self)
 
 
 def check(group: QActionGroup, identifier: str) -> None:

@@ -249,6 +249,8 @@ def main(argv: Sequence[str] | None = None) -> int:
     if opened.complaint:
         studio.window.messages.show_message("warning", opened.complaint, topic="settings")
     studio.loader.finished.connect(keep_what_is_loaded)
+    if options.design is None:
+        studio.loader.finished.connect(studio.controller.help.tour.offer)
     catcher = CrashCatcher(application)
     catcher.crashed.connect(studio.report_crash, Qt.ConnectionType.QueuedConnection)  # errors come while painting too
     catcher.install()

@@ -1,15 +1,20 @@
 """Help in the window: the guide's pages, the glossary, the equations with the numbers of the design."""
 
+from pathlib import Path
+
 import pytest
+from PySide6.QtCore import QRect, QSettings, Qt
 from pytestqt.qtbot import QtBot
 
 from gearstudio.equations import EQUATIONS, numbers_of
 from gearstudio.theory.cones import pair_geometry
 from ui.help.equations import EquationBrowser
 from ui.help.guide import PAGES, GuideWindow, pages_folder
+from ui.help.tour import SEEN, STEPS, Tour, card_place
 from ui.help.typeset import drawing
+from ui.main_window import MainWindow
 from ui.session import Session
-from ui.theme import DARK, LIGHT
+from ui.theme import DARK, LIGHT, Theme
 
 pytestmark = pytest.mark.ui
 
@@ -69,3 +74,66 @@ def test_every_equation_can_be_drawn_in_both_themes(session: Session, colors: ob
     for one in EQUATIONS:
         put = numbers_of(one, pair, "wheel")
         assert drawing(one, {} if put is None else {"wheel": put}, colors, 400).startswith(b"<svg")
+
+
+@pytest.fixture
+def window(qtbot: QtBot, session: Session, theme: Theme, tmp_path: Path) -> MainWindow:
+    made = MainWindow(session, QSettings(str(tmp_path / "settings.ini"), QSettings.Format.IniFormat))
+    qtbot.addWidget(made)
+    made.resize(1280, 720)
+    made.show()
+    made.layer_panel.window().show()
+    return made
+
+
+def test_the_tour_leads_through_the_window_and_is_offered_once(qtbot: QtBot, window: MainWindow) -> None:
+    tour = Tour(window)
+    tour.offer()
+    titles = []
+    while tour.card is not None:
+        assert tour.ring is not None and window.rect().contains(tour.card.geometry())
+        assert window.rect().contains(tour.ring.geometry())
+        titles.append(tour.card.title.text())
+        qtbot.mouseClick(tour.card.next, Qt.MouseButton.LeftButton)
+    assert titles == [step.title for step in STEPS if step.part(window).isVisible()] and len(titles) >= 5
+    assert window.settings is not None and window.settings.value(SEEN)
+    tour.offer()
+    assert not tour.running
+    tour.start()
+    assert tour.running and tour.card is not None
+    qtbot.mouseClick(tour.card.skip, Qt.MouseButton.LeftButton)
+    assert not tour.running
+
+
+def test_the_tour_is_not_offered_where_nothing_is_remembered(qtbot: QtBot, session: Session, theme: Theme) -> None:
+    window = MainWindow(session)
+    qtbot.addWidget(window)
+    window.show()
+    tour = Tour(window)
+    tour.offer()
+    assert not tour.running
+
+
+def test_the_card_follows_a_smaller_window(qtbot: QtBot, window: MainWindow) -> None:
+    tour = Tour(window)
+    tour.start()
+    window.resize(1000, 620)
+    qtbot.waitUntil(lambda: window.width() == 1000)
+    assert tour.card is not None and window.rect().contains(tour.card.geometry())
+    tour.end()
+
+
+@pytest.mark.parametrize(
+    "part", [QRect(0, 0, 300, 700), QRect(900, 0, 380, 700), QRect(0, 0, 1280, 40), QRect(0, 500, 1280, 220)]
+)
+def test_a_card_stands_beside_what_it_points_at(part: QRect) -> None:
+    inside, card = QRect(0, 0, 1280, 720), QRect(0, 0, 330, 140)
+    place = QRect(card_place(part, card, inside), card.size())
+    assert inside.contains(place) and not place.intersects(part)
+    assert inside.contains(QRect(card_place(inside, card, inside), card.size()))
+
+
+def test_every_page_of_help_is_in_the_menu(window: MainWindow) -> None:
+    menu = next(action.menu() for action in window.menuBar().actions() if "Help" in action.text())
+    names = {action.objectName() for action in menu.actions()}
+    assert {"guide", "tour", "glossary", "equations"} <= names

@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QDialog
 
 from ui.help.equations import EquationBrowser
 from ui.help.guide import GuideWindow
+from ui.help.tour import Tour
 
 if TYPE_CHECKING:
     from ui.main_window import MainWindow
@@ -23,7 +24,9 @@ class HelpDesk(QObject):
         self._session, self._window = session, window
         self._guide: GuideWindow | None = None
         self._equations: EquationBrowser | None = None
+        self.tour = Tour(window)
         commands = window.commands
+        commands["tour"].triggered.connect(lambda: self.tour.start())
         commands["guide"].triggered.connect(lambda: self.open_guide())
         commands["glossary"].triggered.connect(lambda: self.open_guide("glossary"))
         commands["equations"].triggered.connect(lambda: self.open_equations())
