@@ -30,6 +30,7 @@ class Runner(QObject):
     job_done = Signal(object, object)
     job_failed = Signal(object, str, str)
     job_cancelled = Signal(object)
+    worker_state_changed = Signal(str, str)
 
     def __init__(self) -> None:
         super().__init__()
@@ -115,6 +116,12 @@ def test_stopping_and_closing_end_the_work(qtbot: QtBot, desk: Desk) -> None:
     with qtbot.waitSignal(desk.runner.job_cancelled):
         desk.dialog.reject()
     assert desk.reporting.dialog is None
+
+
+def test_a_kernel_that_does_not_start_is_told(qtbot: QtBot, desk: Desk) -> None:
+    desk.make(qtbot)
+    desk.runner.worker_state_changed.emit("stopped", "it failed to start 3 times")
+    assert "failed to start" in desk.dialog.trouble.text() and desk.dialog.make.isEnabled()
 
 
 def test_stopping_while_pictures_are_taken_hands_nothing_on(qtbot: QtBot, desk: Desk) -> None:

@@ -55,7 +55,6 @@ class Sheet(QWidget):
         super().paintEvent(event)
         with QPainter(self) as painter:
             self._renderer.render(painter)
-            painter.end()
 
 
 class EquationBrowser(QDialog):

@@ -198,10 +198,10 @@ class ReportDialog(QDialog):
             self.saved.emit(path, self._made.pdf)
 
     def _restore(self) -> None:
-        last = QSettings().value(f"{_SETTINGS}/sections")
-        chosen = str(last).split(",") if last else SECTION_KEYS
+        left_out = str(QSettings().value(f"{_SETTINGS}/left_out") or "").split(",")
         for key, box in self._boxes.items():
-            box.setChecked(key in chosen)
+            box.setChecked(key not in left_out)
 
     def _remember(self) -> None:
-        QSettings().setValue(f"{_SETTINGS}/sections", ",".join(self.sections))
+        left_out = [key for key in SECTION_KEYS if key not in self.sections]
+        QSettings().setValue(f"{_SETTINGS}/left_out", ",".join(left_out))

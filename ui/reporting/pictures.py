@@ -64,14 +64,14 @@ class ReportPictures(QObject):
             self.taken.emit(tuple(self._pictures), tuple(self._missing))
 
     def _all(self) -> Iterator[None]:
-        from ui.views.pictures import PictureOptions, painted
+        from ui.views.pictures import PictureOptions, painted, stand_in
 
         grid, bar = self._window.area.grid, self._window.area.color_bar
         if grid is None:
             self._missing.append(tr("the views are not there yet"))
             return
         if self._solid_mode.mode == "flanks":
-            copy = self._flanks(grid)
+            copy = stand_in(grid, _VIEWS)
             yield from self._one("views", copy, painted(copy, bar, PictureOptions(_SCALE)))
         else:
             self._missing.append(tr("views: the window shows solids and not the flanks"))
@@ -93,13 +93,6 @@ class ReportPictures(QObject):
             steps.close()
             copy.close_views()
             copy.deleteLater()
-
-    def _flanks(self, grid: ViewGrid) -> ViewGrid:
-        from ui.views.pictures import stand_in
-
-        copy = stand_in(grid, _VIEWS)
-        copy.set_theme(False)
-        return copy
 
     def _pair(self) -> ViewGrid | None:
         """A grid with the pair in mesh, when both solids are there and of this design."""

@@ -44,6 +44,7 @@ class Reporting(QObject):
         runner.job_done.connect(self._on_done)
         runner.job_failed.connect(self._on_failed)
         runner.job_cancelled.connect(self._on_cancelled)
+        runner.worker_state_changed.connect(self._on_worker_state_changed)
 
     def open(self) -> None:
         """Show the dialog."""
@@ -128,6 +129,13 @@ class Reporting(QObject):
         if job is self._job and self.dialog is not None:
             self._job = None
             self.dialog.show_failure(tr("Stopped"))
+
+    def _on_worker_state_changed(self, state: str, reason: str) -> None:
+        if state == "stopped" and self._job is not None and self.dialog is not None:
+            self._job = None
+            self.dialog.show_failure(
+                tr("The report could not be made: the CAD kernel stopped. {reason}", reason=reason)
+            )
 
     def _on_design_changed(self, _design: object) -> None:
         if self.dialog is not None:
