@@ -16,6 +16,7 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPlane, vtkPlaneCollec
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkRenderingCore import vtkActor, vtkMapper, vtkPolyDataMapper, vtkProperty
 
+from gearstudio.theory.place import Place
 from ui import colormap
 from ui.camera import Camera
 from ui.layers import Layer
@@ -185,16 +186,17 @@ class ActorStore:
         if layer.kind == "surface" and layer.layer_id in STRIPED:
             put_stripes(actor, self._stripes)
 
-    def move(self, rotations: Mapping[str, np.ndarray]) -> None:
-        """Turn bodies from where their layers put them, by matrices (3, 3); no mesh is touched."""
-        for body, rotation in rotations.items():
+    def move(self, places: Mapping[str, Place]) -> None:
+        """Move bodies from where their layers put them; no mesh is touched."""
+        for body, place in places.items():
             matrix = self._places.get(body)
             if matrix is None:
                 matrix = self._places[body] = vtkMatrix4x4()
                 self._each(self._place)
             for row in range(3):
                 for column in range(3):
-                    matrix.SetElement(row, column, float(rotation[row, column]))
+                    matrix.SetElement(row, column, float(place.matrix[row, column]))
+                matrix.SetElement(row, 3, float(place.shift[row]))
 
     def set_coarse(self, coarse: bool) -> None:
         """Show the coarse level of what has two, or the fine one."""

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from gearstudio.theory.place import Place
 from ui.layers import Layer
 from ui.picking import Hit, Picker
 from ui.section import Plane
@@ -39,10 +40,10 @@ class Picked:
 
 @dataclass(frozen=True)
 class Frame:
-    """How a member stands in the view: what its layers were placed by, and what it has turned since, (3, 3) each."""
+    """How a member stands in the view: what its layers were placed by, and how it has moved since."""
 
-    base: Floats
-    turn: Floats
+    base: Place
+    turn: Place
 
 
 @dataclass(frozen=True)
@@ -103,15 +104,16 @@ def pick(
     best: tuple[float, Picked] | None = None
     for member, frame in frames.items():
         own = tuple(x for x in layers if x.body == member and x.kind == "surface")
-        hit = picker.first(own, frame.turn.T @ start, frame.turn.T @ direction)
+        hit = picker.first(own, frame.turn.back(start), direction @ frame.turn.matrix)
         if hit is None or hit.layer.normals is None or (best is not None and hit.distance >= best[0]):
             continue
-        normal = frame.turn @ (hit.weights @ hit.layer.normals[hit.corners])
-        point, distance = frame.turn @ hit.point, hit.distance
+        normal = frame.turn.matrix @ (hit.weights @ hit.layer.normals[hit.corners])
+        point, distance = frame.turn.of(hit.point), hit.distance
         if entered is not None and normal @ direction > 0:  # the ray came through the cut face
             point, normal, distance, hit = entered, plane.normal, 0.0, None  # type: ignore[union-attr]
         elif plane is not None and plane.beyond(point) > 0:
             continue
-        back = (frame.turn @ frame.base).T
-        best = (distance, Picked(member, point, back @ point, back @ (normal / np.linalg.norm(normal)), hit))
+        whole = frame.turn.after(frame.base)
+        own_normal = normal / np.linalg.norm(normal) @ whole.matrix
+        best = (distance, Picked(member, point, whole.back(point), own_normal, hit))
     return None if best is None else best[1]

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from gearstudio.theory.place import Place
 from ui.grids import turned
 
 Floats = NDArray[np.float64]
@@ -56,9 +57,9 @@ def copied_cells(cells: Indices, point_count: int, times: int) -> Indices:
     return np.asarray((cells[None] + point_count * np.arange(times)[:, None, None]).reshape(-1, cells.shape[1]))
 
 
-def placed(mesh: Mesh, matrix: Floats) -> Mesh:
-    """A mesh moved by a rotation matrix (3, 3)."""
-    return Mesh(mesh.points @ matrix.T, mesh.normals @ matrix.T, mesh.cells)
+def placed(mesh: Mesh, place: Place) -> Mesh:
+    """A mesh moved to a place."""
+    return Mesh(place.of(mesh.points), mesh.normals @ place.matrix.T, mesh.cells)
 
 
 def turned_to(mesh: Mesh) -> Mesh:

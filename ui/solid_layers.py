@@ -10,7 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gearstudio.theory.cones import PairGeometry
-from gearstudio.theory.pair import pinion_placement, wheel_placement
+from gearstudio.theory.pair import placement
+from gearstudio.theory.place import Place
 from ui import layers as look
 from ui.layers import SOLID, Ink, Layer, Style
 from ui.meshes import Mesh, placed
@@ -61,25 +62,24 @@ class PlacedGear:
         return self.fine.flanks, self.fine.teeth, self.fine.body
 
 
-def base_placement(pair: PairGeometry, member: str) -> Floats:
-    """Rotation that puts a member into the world frame at turn 0 of the pinion, shape (3, 3) (theory 8)."""
-    return pinion_placement(pair) if member == "pinion" else wheel_placement(pair)
+def base_place(pair: PairGeometry, member: str) -> Place:
+    """Where a member stands in the world at turn 0 of the pinion (theory 8)."""
+    return Place(*placement(pair, member))
 
 
-def motion(pair: PairGeometry, member: str, pinion_turn: float) -> Floats:
-    """Rotation of a placed member in the world frame when the pinion has turned, shape (3, 3)."""
-    placement = pinion_placement if member == "pinion" else wheel_placement
-    return np.asarray(placement(pair, pinion_turn) @ placement(pair).T)
+def motion(pair: PairGeometry, member: str, pinion_turn: float) -> Place:
+    """How a placed member moves in the world when the pinion turns."""
+    return Place(*placement(pair, member, pinion_turn)).after(base_place(pair, member).inverse)
 
 
-def put(gear: PlacedGear, matrix: Floats) -> PlacedGear:
+def put(gear: PlacedGear, place: Place) -> PlacedGear:
     """A gear in another frame."""
-    return replace(gear, fine=_moved(gear.fine, matrix), coarse=_moved(gear.coarse, matrix))
+    return replace(gear, fine=_moved(gear.fine, place), coarse=_moved(gear.coarse, place))
 
 
-def _moved(mesh: GearMesh, matrix: Floats) -> GearMesh:
-    flanks, teeth, body = (placed(part, matrix) for part in (mesh.flanks, mesh.teeth, mesh.body))
-    return replace(mesh, flanks=flanks, teeth=teeth, body=body, edges=mesh.edges @ matrix.T)
+def _moved(mesh: GearMesh, place: Place) -> GearMesh:
+    flanks, teeth, body = (placed(part, place) for part in (mesh.flanks, mesh.teeth, mesh.body))
+    return replace(mesh, flanks=flanks, teeth=teeth, body=body, edges=place.of(mesh.edges))
 
 
 def gear_layers(gear: PlacedGear, options: SolidOptions) -> tuple[Layer, ...]:
@@ -110,12 +110,12 @@ def _surfaces(member: str, level: Level, mesh: GearMesh, options: SolidOptions) 
 
 def preview_layers(pair: PairGeometry, member: str, in_mesh: bool) -> tuple[Layer, ...]:
     """The teeth of theory, in place of a solid that is still being built."""
-    matrix = base_placement(pair, member) if in_mesh else np.eye(3)
+    place = base_place(pair, member) if in_mesh else Place()
     made = []
     for layer in context_layers(pair.member(member)):
         if (layer.layer_id, layer.part) in (("tooth", look.TOOTH_WHOLE), ("gear", "teeth")):
             style = Style(PAINTS[member].body, gloss=0.1)
-            points, normals = layer.points @ matrix.T, layer.normals @ matrix.T
+            points, normals = place.of(layer.points), layer.normals @ place.matrix.T
             name = f"{member} preview {layer.layer_id}"
             made.append(Layer(SOLID, name, "surface", points, style, layer.cells, normals, body=member))
     return tuple(made)

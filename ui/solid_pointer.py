@@ -17,7 +17,7 @@ from gearstudio.errors import GearStudioError
 from gearstudio.theory.blank import BlankSizes
 from gearstudio.theory.chamfer import end_chamfers
 from gearstudio.theory.cones import pair_geometry
-from gearstudio.theory.profile import tooth_profile
+from gearstudio.theory.profile import profile_of
 from ui.formatting import MEMBER_TITLES, fixed
 from ui.measure_overlay import MeasureOverlay
 from ui.measuring import Picked, pick
@@ -91,7 +91,7 @@ class SolidPointer(QObject):
 
     def _described(self, found: Picked, direction: Floats) -> tuple[Hover, Floats]:
         frame = self._view.frames[found.member]
-        matrix = frame.turn @ frame.base
+        place = frame.turn.after(frame.base)
         theory = self._theory(found.member)
         member, local = MEMBER_TITLES[found.member], found.local
         if found.hit is None or theory is None:
@@ -99,12 +99,12 @@ class SolidPointer(QObject):
             return self._hover(words, local, None), found.point
         tooth = int(theory.teeth_of(local[None])[0])
         name = theory.names[int(theory.nearest(theory.to_first(local[None], tooth))[0][0])]
-        local = _on_face(theory, name, tooth, local, matrix.T @ direction)
+        local = _on_face(theory, name, tooth, local, direction @ place.matrix)
         number = 1 + (int(theory.teeth_of(local[None], theory.member.pitch / 2)[0]) if name == "root" else tooth)
         words = f"{tr(member)}, {tr(name)}"
         if name not in _TOOTHLESS:
             words = tr("{member}, {face}, tooth {number}", member=tr(member), face=tr(name), number=number)
-        return self._hover(words, local, self._deviation(found)), matrix @ local
+        return self._hover(words, local, self._deviation(found)), place.of(local)
 
     def _hover(self, words: str, local: Floats, deviation_um: float | None) -> Hover:
         """Coordinates are the gear's own."""
@@ -129,7 +129,7 @@ class SolidPointer(QObject):
                 geometry = pair_geometry(built.design).member(member)
                 sizes = BlankSizes(**getattr(built.design.blank, member).model_dump())
                 chamfers = end_chamfers(geometry, sizes.end_chamfer)
-                theory = GearTheory(geometry, tooth_profile(geometry), built.result.outline, chamfers)
+                theory = GearTheory(geometry, profile_of(geometry), built.result.outline, chamfers)
             except GearStudioError:
                 theory = None
             self._theories[member] = built, theory

@@ -5,16 +5,15 @@ from __future__ import annotations
 from collections.abc import Callable, Hashable, Sequence
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
 from gearstudio.theory.cones import pair_geometry
+from gearstudio.theory.place import Place
 from ui.layers import Layer, Panel
 from ui.measuring import Frame
 from ui.section import Plane
 from ui.solid_layers import (
     PlacedGear,
     SolidOptions,
-    base_placement,
+    base_place,
     cut_layers,
     gear_layers,
     motion,
@@ -92,10 +91,10 @@ class SolidView:
         return self._turn
 
     @property
-    def turns(self) -> dict[str, np.ndarray]:
-        """Rotation of each member from where its layers put it."""
+    def turns(self) -> dict[str, Place]:
+        """How each member has moved from where its layers put it."""
         if self._pair is None or not self.in_mesh:
-            return {member: np.eye(3) for member in PAIR}
+            return {member: Place() for member in PAIR}
         return {member: motion(self._pair, member, self._turn) for member in PAIR}
 
     @property
@@ -103,7 +102,7 @@ class SolidView:
         """How the members in sight stand."""
         turns, whole = self.turns, self.in_mesh and self._pair is not None
         return {
-            gear.member: Frame(base_placement(self._pair, gear.member) if whole else np.eye(3), turns[gear.member])  # type: ignore[arg-type]
+            gear.member: Frame(base_place(self._pair, gear.member) if whole else Place(), turns[gear.member])  # type: ignore[arg-type]
             for gear in self.gears
         }
 
@@ -121,7 +120,7 @@ class SolidView:
             return built.gear
 
         def make() -> PlacedGear:
-            return put(built.gear, base_placement(pair_geometry(built.design), key.member))
+            return put(built.gear, base_place(pair_geometry(built.design), key.member))
 
         return self._kept("gear", key.member, (built,), make)
 

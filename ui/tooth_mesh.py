@@ -12,9 +12,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gearstudio.theory.cones import MemberGeometry
-from gearstudio.theory.involute import azimuth_from_arc, involute_azimuth, polar_angle
-from gearstudio.theory.modified import flank_of
-from gearstudio.theory.profile import ToothProfile, tooth_profile
+from gearstudio.theory.flank_protocol import Flank
+from gearstudio.theory.modified import flank_on
+from gearstudio.theory.profile import profile_of
 from ui.grids import grid_normals, grid_triangles, on_cone
 from ui.layers import GREY, TOOTH_BARED, TOOTH_WALLS, TOOTH_WHOLE, Layer, Style
 from ui.meshes import Mesh, copies, joined
@@ -24,10 +24,11 @@ Angles = tuple[Floats, Floats]
 
 _RIM = 1.1
 """Thickness of the body below the root, in tooth depths."""
-_OVERLAP = 1.004
+_OVERLAP = 0.002
 _SAMPLES = {"root": 3, "fillet": 7, "meridian": 2, "flank": 15, "tip": 3}
 _COARSE = {"root": 2, "fillet": 4, "meridian": 2, "flank": 7, "tip": 2}
 _ALONG = 33
+_OUTLINE = 16
 _STYLE, _BEHIND = Style(GREY, gloss=0.10), Style(GREY, gloss=0.10, lift=-1)
 
 
@@ -46,8 +47,9 @@ def context_layers(member: MemberGeometry) -> tuple[Layer, ...]:
 @lru_cache(maxsize=6)
 def end_profiles(member: MemberGeometry) -> tuple[Floats, Floats]:
     """Profiles of the tooth at toe and heel, from space to space, (n, 3) each."""
-    profile = tooth_profile(member)
-    return profile.outline(0.0), profile.outline(1.0)
+    rising, falling = _Tooth(member, dict.fromkeys(_SAMPLES, _OUTLINE), 2).halves()
+    whole = np.concatenate([rising, falling[::-1]])
+    return whole[:, 0], whole[:, 1]
 
 
 def _resolution(teeth: int) -> tuple[dict[str, int], int]:
@@ -60,29 +62,38 @@ class _Tooth:
 
     def __init__(self, member: MemberGeometry, samples: dict[str, int], along: int) -> None:
         self.member, self.samples = member, samples
-        self.profile: ToothProfile = tooth_profile(member)
+        self.profile = profile_of(member)
         self.rho_u = np.linspace(member.inner_cone_distance, member.outer_cone_distance, along)
-        self.tip = member.limit_angle(member.tip_limit, self.rho_u)
-        depth = float(self.tip[-1]) - member.root_angle
-        self.hub = max(member.root_angle - _RIM * depth, 0.45 * member.root_angle)
+        self.root, self.after, before = self.profile.across("root", self.rho_u)
+        self.before = before - member.pitch
+        self.middle = (self.after + before) / 2
+        depth = float(member.limit_angle(member.tip_limit, self.rho_u[-1])) - float(self.root[-1])
+        low = float(self.root.min())
+        self.hub = max(low - _RIM * depth, 0.45 * low)
 
     def faces(self, bared: bool) -> list[Floats]:
         """Everything between the middles of two spaces; bared of the working flanks, with a sharp foot."""
-        half = self._sharp_half() if bared else self._half()
-        shown = [angles for name, angles in half.items() if not (bared and name == "flank")]
-        made = [self._place(delta, sign * phi) for sign in (1.0, -1.0) for delta, phi in shown]
+        halves = [self._sharp_half(side) if bared else self._half(side) for side in (1, -1)]
+        shown = [angles for half in halves for name, angles in half.items() if not (bared and name == "flank")]
+        made = [self._place(delta, phi) for delta, phi in shown]
         for end in (0, -1):
-            delta = np.concatenate([d[:, end] for d, _ in half.values()])
-            phi = np.concatenate([p[:, end] for _, p in half.values()])
-            made += [self._cap(delta, sign * phi, end) for sign in (1.0, -1.0)]
+            for half in halves:
+                delta = np.concatenate([d[:, end] for d, _ in half.values()])
+                phi = np.concatenate([p[:, end] for _, p in half.values()])
+                made.append(self._cap(delta, phi, end))
         return made
+
+    def halves(self) -> tuple[Floats, Floats]:
+        """Both sides from the middle of a space to that of the tip, (profile, face, 3) each."""
+        one, other = (np.concatenate([self._place(*part) for part in self._half(s).values()]) for s in (1, -1))
+        return one, other
 
     def walls(self) -> list[Floats]:
         """What closes a tooth that stands alone: sides in the middle of the spaces, and the floor."""
-        member = self.member
-        delta = np.linspace(self.hub, member.root_angle, 4)[:, None] * np.ones_like(self.rho_u)
-        around = np.linspace(-member.pitch / 2, member.pitch / 2, 9)[:, None] * np.ones_like(self.rho_u)
-        sides = [self._place(delta, np.full_like(delta, sign * member.pitch / 2)) for sign in (1.0, -1.0)]
+        first, last = self.middle - self.member.pitch, self.middle
+        delta = self.hub + np.linspace(0.0, 1.0, 4)[:, None] * (self.root - self.hub)
+        around = first + np.linspace(0.0, 1.0, 9)[:, None] * (last - first)
+        sides = [self._place(delta, np.broadcast_to(azimuth, delta.shape)) for azimuth in (last, first)]
         return [*sides, self._place(np.full_like(around, self.hub), around)]
 
     def bore(self) -> Floats:
@@ -91,43 +102,53 @@ class _Tooth:
         ends = self.member.cone_distance(self.rho_u[[0, -1]], np.full(2, self.hub))
         return on_cone(ends[None, :], np.float64(self.hub), around)
 
-    def _half(self) -> dict[str, Angles]:
-        made = {}
-        for name in self.profile.segments:
-            s = np.linspace(0.0, 1.0, self.samples[name])[:, None] * np.ones_like(self.rho_u)
-            made[name] = self.profile.angles(name, s, self.tip)
-        return self._completed(made)
+    def _half(self, side: int) -> dict[str, Angles]:
+        made: dict[str, Angles] = {}
+        if self.profile.has_root:
+            edge, share = self.after if side > 0 else self.before, self._shares("root")
+            made["root"] = self.root, self._middle(side) + share * (edge - self._middle(side))
+        for name in self.profile.below(side):
+            made[name] = self.profile.rising(name, side, self._shares(name), self.rho_u)
+        made["flank"] = self._flank(self.profile.flank(side))
+        return self._completed(side, made | {"tip": self._tip(side)})
 
-    def _sharp_half(self) -> dict[str, Angles]:
+    def _sharp_half(self, side: int) -> dict[str, Angles]:
         """The half tooth without fillets: the root led up to the working flank's lower edge."""
-        member = self.member
-        flank = self._working_flank()
+        flank = self._flank(flank_on(self.member, side))
         low, foot = flank[0][0], flank[1][0]
-        s = np.linspace(0.0, 1.0, 4)[:, None]
-        half = member.pitch / 2
-        made = {"root": (np.full_like(s, member.root_angle), half + s * (foot - half))}
-        if np.any(low > member.root_angle + 1e-9):
-            made["meridian"] = (member.root_angle + s * (low - member.root_angle), foot[None, :])
-        s = np.linspace(0.0, 1.0, self.samples["tip"])[:, None]
-        made |= {"flank": flank, "tip": self.profile.angles("tip", s, self.tip)}
-        return self._completed(made)
+        s, middle = np.linspace(0.0, 1.0, 4)[:, None], self._middle(side)
+        made: dict[str, Angles] = {"root": (self.root, middle + s * (foot - middle))}
+        if np.any(low > self.root + 1e-9):
+            made["meridian"] = (self.root + s * (low - self.root), foot)
+        return self._completed(side, made | {"flank": flank, "tip": self._tip(side)})
 
-    def _working_flank(self) -> Angles:
-        member = self.member
-        flank = flank_of(member, "concave")
-        v = (self.rho_u - self.rho_u[0]) / member.face_width
-        psi, _ = flank.coordinates(np.linspace(0, 1, self.samples["flank"])[:, None], v[None, :])
-        start = member.half_tooth_azimuth + involute_azimuth(member.pitch_angle, member.base_angle)
-        return polar_angle(psi, member.base_angle), start - azimuth_from_arc(psi, member.base_angle)
+    def _shares(self, name: str) -> Floats:
+        return np.linspace(0.0, 1.0, self.samples[name])[:, None]
 
-    def _completed(self, half: dict[str, Angles]) -> dict[str, Angles]:
+    def _middle(self, side: int) -> Floats:
+        """The middle of the space on a side."""
+        return self.middle if side > 0 else self.middle - self.member.pitch
+
+    def _tip(self, side: int) -> Angles:
+        """From a flank to the middle of the tip."""
+        delta, first, last = self.profile.across("tip", self.rho_u)
+        edge = last if side > 0 else first
+        return delta, edge + self._shares("tip") * ((first + last) / 2 - edge)
+
+    def _flank(self, flank: Flank) -> Angles:
+        v = (self.rho_u - self.rho_u[0]) / self.member.face_width
+        rho, delta, phi = flank.locate(flank.points(self._shares("flank"), v))
+        azimuth = phi - self.member.lengthwise.azimuth(rho)
+        return delta, np.remainder(azimuth + np.pi, 2 * np.pi) - np.pi
+
+    def _completed(self, side: int, half: dict[str, Angles]) -> dict[str, Angles]:
         """Every segment as full (profile, along) arrays; a little over the middle of the space, against cracks."""
         made: dict[str, Angles] = {}
         for name, (delta, phi) in half.items():
-            shape = (*np.broadcast_shapes(delta.shape, phi.shape)[:-1], len(self.rho_u))
+            shape = (max(np.shape(x)[0] if np.ndim(x) > 1 else 1 for x in (delta, phi)), len(self.rho_u))
             azimuth = np.array(np.broadcast_to(phi, shape))
             if not made:
-                azimuth[0] *= _OVERLAP
+                azimuth[0] += side * _OVERLAP * self.member.pitch
             made[name] = np.broadcast_to(delta, shape), azimuth
         return made
 

@@ -9,10 +9,12 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import brentq
 
+from gearstudio.analysis.section_volume import teeth_volume
+from gearstudio.errors import GeometryError
 from gearstudio.theory.chamfer import EndChamfer, end_point
 from gearstudio.theory.cones import MemberGeometry
 from gearstudio.theory.involute import polar_angle, roll_arc
-from gearstudio.theory.profile import ToothProfile, tooth_profile
+from gearstudio.theory.profile import ToothProfile, profile_of
 from gearstudio.theory.section import Segment
 
 Floats = NDArray[np.float64]
@@ -33,9 +35,20 @@ def gear_volume(member: MemberGeometry, outline: Floats, chamfers: Sequence[EndC
     Notes
     -----
     A tooth is ``2 w(delta)`` wide in azimuth on every sphere, so its volume is the integral of
-    ``2 w sin(delta) (rho_2^3 - rho_1^3)/3`` over the polar angle; below the roots the gear is turned.
+    ``2 w sin(delta) (rho_2^3 - rho_1^3)/3`` over the polar angle; below the roots the gear is turned. Where the profile
+    changes along the face it is integrated by sections (`teeth_volume`).
+
+    Raises
+    ------
+    GeometryError
+        There is no tooth, or one of a changing profile has chamfers.
     """
-    return member.teeth * _tooth_volume(tooth_profile(member), chamfers) + _body_volume(member, outline)
+    profile = profile_of(member)
+    if isinstance(profile, ToothProfile):
+        return member.teeth * _tooth_volume(profile, chamfers) + _body_volume(member, outline)
+    if chamfers:
+        raise GeometryError(f"the volume of a {member.name} with end chamfers is integrated without an offset only")
+    return teeth_volume(profile) + _body_volume(member, outline)
 
 
 def _tooth_volume(profile: ToothProfile, chamfers: Sequence[EndChamfer]) -> float:

@@ -152,9 +152,10 @@ def shared_volume(solids: dict[str, object], pinion: Floats, wheel: Floats) -> f
 
     from gearstudio.kernel.document import location
     from gearstudio.kernel.solids import solid_volume
+    from gearstudio.theory.place import Place
 
     placed = [
-        BRepBuilderAPI_Transform(solids[name], location(matrix).Transformation(), True).Shape()
+        BRepBuilderAPI_Transform(solids[name], location(Place(matrix)).Transformation(), True).Shape()
         for name, matrix in (("pinion", pinion), ("wheel", wheel))
     ]
     return abs(solid_volume(BRepAlgoAPI_Common(*placed).Shape()))

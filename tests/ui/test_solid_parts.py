@@ -13,6 +13,7 @@ from gearstudio.formats import ExportOptions
 from gearstudio.presets import PRESETS
 from gearstudio.theory.blank import BlankError
 from gearstudio.theory.cones import pair_geometry
+from gearstudio.theory.place import Place
 from tests.ui.made_up_solid import solid_of
 from tests.ui.stand_ins import Bench
 from ui.blank_shape import blank_shape
@@ -53,7 +54,7 @@ def turn_z(angle: float) -> np.ndarray:
 
 
 def test_a_ray_finds_the_face_the_cut_face_and_nothing_beyond() -> None:
-    frames, layers = {"wheel": Frame(np.eye(3), np.eye(3))}, (box(),)
+    frames, layers = {"wheel": Frame(Place(), Place())}, (box(),)
     ray = (np.array([100.0, 1.0, 2.0]), np.array([-1.0, 0.0, 0.0]))
     found = pick(Picker(), layers, frames, ray)
     assert found is not None and np.allclose(found.point, [10, 1, 2]) and np.allclose(found.normal, [1, 0, 0])
@@ -66,12 +67,13 @@ def test_a_ray_finds_the_face_the_cut_face_and_nothing_beyond() -> None:
 
 
 def test_a_turned_body_is_picked_where_it_is_and_told_in_its_own_frame() -> None:
-    turn, base = turn_z(0.3), turn_z(np.pi / 2)
+    turn = Place(turn_z(0.3), np.array([0.5, 0.0, -0.25]))
+    base = Place(turn_z(np.pi / 2), np.array([0.0, 0.0, 1.0]))
     ray = (np.array([100.0, 0.0, 2.0]), np.array([-1.0, 0.0, 0.0]))
     found = pick(Picker(), (box(),), {"wheel": Frame(base, turn)}, ray)
     assert found is not None and found.point[1] == pytest.approx(0.0)
-    assert np.allclose(turn @ base @ found.local, found.point)
-    assert np.allclose(found.point[0], 10 / np.cos(0.3))
+    assert np.allclose(turn.of(base.of(found.local)), found.point)
+    assert np.allclose(found.point[0], 0.5 + 10 / np.cos(0.3))
 
 
 def test_what_lies_between_two_points() -> None:

@@ -19,7 +19,7 @@ from gearstudio.theory.pair import pinion_placement, wheel_placement
 from tests.ui.made_up_solid import solid_of
 from ui.meshes import Mesh, joined, stitched
 from ui.section import Plane, filled, outline
-from ui.solid_layers import PlacedGear, SolidOptions, base_placement, gear_layers, motion, put
+from ui.solid_layers import PlacedGear, SolidOptions, base_place, gear_layers, motion, put
 from ui.solid_scene import COARSE, FINE, GearMesh, gear_mesh, gear_radius
 
 DESIGNS = {
@@ -206,10 +206,11 @@ def test_a_placed_gear_turns_as_the_placement_says() -> None:
     geometry = pair("default")
     for member, place in (("pinion", pinion_placement), ("wheel", wheel_placement)):
         made = mesh("default", member)
-        gear = put(PlacedGear(member, made, made), base_placement(geometry, member))
-        turned = gear.fine.flanks.points @ motion(geometry, member, 0.7).T
+        gear = put(PlacedGear(member, made, made), base_place(geometry, member))
+        turned = motion(geometry, member, 0.7).of(gear.fine.flanks.points)
         assert np.allclose(turned, made.flanks.points @ place(geometry, 0.7).T, atol=1e-9)
-        assert np.allclose(motion(geometry, member, 0.0), np.eye(3))
+        still = motion(geometry, member, 0.0)
+        assert np.allclose(still.matrix, np.eye(3)) and np.allclose(still.shift, 0)
 
 
 def test_both_levels_are_layers_that_move_and_only_flanks_carry_the_deviation() -> None:
