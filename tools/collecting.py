@@ -19,6 +19,7 @@ _QUIET_WINDOW = {
     "memory",
     "still",
     "words",
+    "sentences",
 }
 """Modules of the window whose tables are not for people, or for the command line."""
 _QUIET_CORE = ("cli", "equations", "presets", "catalogue", "formats", "design/model", "design/modifications", "report",

@@ -24,6 +24,10 @@
    <translation>&amp;Über GearStudio</translation>
   </message>
   <message>
+   <source>&amp;Back</source>
+   <translation>&amp;Zurück</translation>
+  </message>
+  <message>
    <source>&amp;Backups…</source>
    <translation>S&amp;icherungen…</translation>
   </message>
@@ -50,6 +54,10 @@
   <message>
    <source>&amp;Display panel</source>
    <translation>&amp;Darstellung</translation>
+  </message>
+  <message>
+   <source>&amp;Done</source>
+   <translation>&amp;Fertig</translation>
   </message>
   <message>
    <source>&amp;Edit</source>
@@ -112,6 +120,10 @@
    <translation>&amp;Neu</translation>
   </message>
   <message>
+   <source>&amp;Next</source>
+   <translation>&amp;Weiter</translation>
+  </message>
+  <message>
    <source>&amp;Open design…</source>
    <translation>Entwurf &amp;öffnen…</translation>
   </message>
@@ -170,6 +182,10 @@
   <message>
    <source>&amp;Theme</source>
    <translation>&amp;Farbschema</translation>
+  </message>
+  <message>
+   <source>&amp;Tour</source>
+   <translation>&amp;Rundgang</translation>
   </message>
   <message>
    <source>&amp;Undo</source>
@@ -1524,6 +1540,10 @@
    <translation>Die Karte dorthin ziehen, wo sie nichts verdeckt</translation>
   </message>
   <message>
+   <source>Drag turns, the wheel zooms, a double click centres. Point at a flank to read its deviation there.</source>
+   <translation>Ziehen dreht, das Rad zoomt, ein Doppelklick zentriert. Auf eine Flanke zeigen liest dort die Abweichung ab.</translation>
+  </message>
+  <message>
    <source>Draw the edges of the faces</source>
    <translation>Die Kanten der Flächen zeichnen</translation>
   </message>
@@ -1616,6 +1636,10 @@
    <translation>Jede Formel, was die Arbeit druckt, und die Zahlen dieses Entwurfs</translation>
   </message>
   <message>
+   <source>Every value of the pair. Change one and everything follows; a problem is told at its field. Shift+F1 explains a field.</source>
+   <translation>Jeder Wert des Paars. Eine Änderung zieht alles nach; ein Problem steht an seinem Feld. Umschalt+F1 erklärt ein Feld.</translation>
+  </message>
+  <message>
    <source>Every value of the pair; a row explains itself</source>
    <translation>Jeder Wert des Paars; eine Zeile erklärt sich selbst</translation>
   </message>
@@ -1694,6 +1718,10 @@
   <message>
    <source>Files</source>
    <translation>Dateien</translation>
+  </message>
+  <message>
+   <source>Files and help</source>
+   <translation>Dateien und Hilfe</translation>
   </message>
   <message>
    <source>Fillet factor</source>
@@ -1954,6 +1982,10 @@
   <message>
    <source>Go back to the save of {date}</source>
    <translation>Zum Stand vom {date} zurückkehren</translation>
+  </message>
+  <message>
+   <source>Go on</source>
+   <translation>Fortfahren</translation>
   </message>
   <message>
    <source>Go on with the edits that were not saved</source>
@@ -2246,6 +2278,10 @@
   <message>
    <source>Leave out what both designs have in common</source>
    <translation>Weglassen, was beide Entwürfe gemeinsam haben</translation>
+  </message>
+  <message>
+   <source>Leave the tour; Help ▸ Tour starts it again</source>
+   <translation>Rundgang verlassen; Hilfe ▸ Rundgang beginnt ihn wieder</translation>
   </message>
   <message>
    <source>Left</source>
@@ -3456,6 +3492,10 @@
    <translation>Untersuchung starten: jede Methode wird mit wachsendem Aufwand gebaut</translation>
   </message>
   <message>
+   <source>S&amp;kip</source>
+   <translation>Ü&amp;berspringen</translation>
+  </message>
+  <message>
    <source>STEP schema</source>
    <translation>STEP-Schema</translation>
   </message>
@@ -3466,6 +3506,10 @@
   <message>
    <source>STL as</source>
    <translation>STL als</translation>
+  </message>
+  <message>
+   <source>Samples, export and the report are under File; the guide, the equations and this tour under Help.</source>
+   <translation>Beispiele, Export und Bericht stehen unter Datei; Anleitung, Gleichungen und dieser Rundgang unter Hilfe.</translation>
   </message>
   <message>
    <source>Save &amp;as…</source>
@@ -3618,10 +3662,6 @@
   <message>
    <source>Select all</source>
    <translation>Alles wählen</translation>
-  </message>
-  <message>
-   <source>Sentences</source>
-   <translation type="unfinished" />
   </message>
   <message>
    <source>Set of layers</source>
@@ -3988,6 +4028,10 @@
    <translation>Das Datenblatt wurde nicht gespeichert: {error}</translation>
   </message>
   <message>
+   <source>The design</source>
+   <translation>Der Entwurf</translation>
+  </message>
+  <message>
    <source>The design to compare with</source>
    <translation>Der Entwurf, mit dem verglichen wird</translation>
   </message>
@@ -4068,6 +4112,10 @@
   <message>
    <source>The methods are being built…</source>
    <translation>Die Methoden werden gebaut…</translation>
+  </message>
+  <message>
+   <source>The methods side by side, charts, tooth contact, the data sheet, and measured points.</source>
+   <translation>Die Methoden nebeneinander, Diagramme, Zahnkontakt, Datenblatt und Messpunkte.</translation>
   </message>
   <message>
    <source>The nominal grid was not saved: {reason}</source>
@@ -4164,6 +4212,10 @@
   <message>
    <source>The settings file was damaged, so the window starts with the usual settings. {where}</source>
    <translation>Die Einstellungsdatei war beschädigt; das Fenster beginnt mit den üblichen Einstellungen. {where}</translation>
+  </message>
+  <message>
+   <source>The step before</source>
+   <translation>Der Schritt davor</translation>
   </message>
   <message>
    <source>The sum divides by zero</source>
@@ -4310,6 +4362,10 @@
    <translation>Diese Anzeige bietet kein OpenGL.</translation>
   </message>
   <message>
+   <source>Three methods, two variants</source>
+   <translation>Drei Methoden, zwei Varianten</translation>
+  </message>
+  <message>
    <source>Tick a format to see how it can be written.</source>
    <translation>Ein Format ankreuzen, um seine Möglichkeiten zu sehen.</translation>
   </message>
@@ -4416,6 +4472,10 @@
   <message>
    <source>Total contact ratio</source>
    <translation>Gesamtüberdeckung</translation>
+  </message>
+  <message>
+   <source>Tour</source>
+   <translation>Rundgang</translation>
   </message>
   <message>
    <source>Transmission error</source>
@@ -4634,6 +4694,10 @@
    <translation>Was aus den Parametern folgt</translation>
   </message>
   <message>
+   <source>What is drawn: deviation, exact flank, sections and points, and how the flank comes about.</source>
+   <translation>Was gezeichnet wird: Abweichung, exakte Flanke, Schnitte und Punkte, und wie die Flanke entsteht.</translation>
+  </message>
+  <message>
    <source>What is in the picture</source>
    <translation>Was auf dem Bild ist</translation>
   </message>
@@ -4730,8 +4794,16 @@
    <translation>Wo die Schnittebene steht</translation>
   </message>
   <message>
+   <source>Where things are in the window, in six steps</source>
+   <translation>Wo was im Fenster ist, in sechs Schritten</translation>
+  </message>
+  <message>
    <source>Which entries are shown</source>
    <translation>Welche Einträge gezeigt werden</translation>
+  </message>
+  <message>
+   <source>Which method and which variant is shown: as the paper has it, or refined until it meets the tolerance.</source>
+   <translation>Welche Methode und Variante gezeigt wird: wie in der Arbeit, oder verfeinert bis zur Toleranz.</translation>
   </message>
   <message>
    <source>White</source>
@@ -5508,6 +5580,10 @@
   <message>
    <source>{name}, single</source>
    <translation>{name}, einzeln</translation>
+  </message>
+  <message>
+   <source>{number} of {count}</source>
+   <translation>{number} von {count}</translation>
   </message>
   <message>
    <source>{passed} of {all} published values agree to the last printed digit</source>

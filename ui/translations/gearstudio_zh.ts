@@ -24,6 +24,10 @@
    <translation>关于 GearStudio(&amp;A)</translation>
   </message>
   <message>
+   <source>&amp;Back</source>
+   <translation>上一步(&amp;B)</translation>
+  </message>
+  <message>
    <source>&amp;Backups…</source>
    <translation>备份(&amp;B)…</translation>
   </message>
@@ -50,6 +54,10 @@
   <message>
    <source>&amp;Display panel</source>
    <translation>显示面板(&amp;D)</translation>
+  </message>
+  <message>
+   <source>&amp;Done</source>
+   <translation>完成(&amp;D)</translation>
   </message>
   <message>
    <source>&amp;Edit</source>
@@ -112,6 +120,10 @@
    <translation>新建(&amp;N)</translation>
   </message>
   <message>
+   <source>&amp;Next</source>
+   <translation>下一步(&amp;N)</translation>
+  </message>
+  <message>
    <source>&amp;Open design…</source>
    <translation>打开设计(&amp;O)…</translation>
   </message>
@@ -170,6 +182,10 @@
   <message>
    <source>&amp;Theme</source>
    <translation>主题(&amp;T)</translation>
+  </message>
+  <message>
+   <source>&amp;Tour</source>
+   <translation>导览(&amp;T)</translation>
   </message>
   <message>
    <source>&amp;Undo</source>
@@ -1524,6 +1540,10 @@
    <translation>将卡片拖到不遮挡处</translation>
   </message>
   <message>
+   <source>Drag turns, the wheel zooms, a double click centres. Point at a flank to read its deviation there.</source>
+   <translation>拖动旋转，滚轮缩放，双击居中。指向齿面即可读取该处偏差。</translation>
+  </message>
+  <message>
    <source>Draw the edges of the faces</source>
    <translation>绘制各面的边</translation>
   </message>
@@ -1616,6 +1636,10 @@
    <translation>每个公式、论文印刷形式及本设计的数值</translation>
   </message>
   <message>
+   <source>Every value of the pair. Change one and everything follows; a problem is told at its field. Shift+F1 explains a field.</source>
+   <translation>齿轮副的全部数值。改动一处，其余随之更新；问题显示在字段旁。Shift+F1 说明字段。</translation>
+  </message>
+  <message>
    <source>Every value of the pair; a row explains itself</source>
    <translation>齿轮副的每个值；点行可看说明</translation>
   </message>
@@ -1694,6 +1718,10 @@
   <message>
    <source>Files</source>
    <translation>文件</translation>
+  </message>
+  <message>
+   <source>Files and help</source>
+   <translation>文件与帮助</translation>
   </message>
   <message>
    <source>Fillet factor</source>
@@ -1954,6 +1982,10 @@
   <message>
    <source>Go back to the save of {date}</source>
    <translation>回到 {date} 的保存</translation>
+  </message>
+  <message>
+   <source>Go on</source>
+   <translation>继续</translation>
   </message>
   <message>
    <source>Go on with the edits that were not saved</source>
@@ -2246,6 +2278,10 @@
   <message>
    <source>Leave out what both designs have in common</source>
    <translation>略去两设计相同的部分</translation>
+  </message>
+  <message>
+   <source>Leave the tour; Help ▸ Tour starts it again</source>
+   <translation>离开导览；“帮助 ▸ 导览”可重新开始</translation>
   </message>
   <message>
    <source>Left</source>
@@ -3456,6 +3492,10 @@
    <translation>运行研究：以递增计算量构建各方法</translation>
   </message>
   <message>
+   <source>S&amp;kip</source>
+   <translation>跳过(&amp;K)</translation>
+  </message>
+  <message>
    <source>STEP schema</source>
    <translation>STEP 模式</translation>
   </message>
@@ -3466,6 +3506,10 @@
   <message>
    <source>STL as</source>
    <translation>STL 格式</translation>
+  </message>
+  <message>
+   <source>Samples, export and the report are under File; the guide, the equations and this tour under Help.</source>
+   <translation>示例、导出和报告在“文件”下；指南、公式和本导览在“帮助”下。</translation>
   </message>
   <message>
    <source>Save &amp;as…</source>
@@ -3618,10 +3662,6 @@
   <message>
    <source>Select all</source>
    <translation>全选</translation>
-  </message>
-  <message>
-   <source>Sentences</source>
-   <translation type="unfinished" />
   </message>
   <message>
    <source>Set of layers</source>
@@ -3988,6 +4028,10 @@
    <translation>数据表未保存：{error}</translation>
   </message>
   <message>
+   <source>The design</source>
+   <translation>设计</translation>
+  </message>
+  <message>
    <source>The design to compare with</source>
    <translation>用于比较的设计</translation>
   </message>
@@ -4068,6 +4112,10 @@
   <message>
    <source>The methods are being built…</source>
    <translation>正在构建各方法…</translation>
+  </message>
+  <message>
+   <source>The methods side by side, charts, tooth contact, the data sheet, and measured points.</source>
+   <translation>方法并列比较、图表、齿面接触、数据表和测点。</translation>
   </message>
   <message>
    <source>The nominal grid was not saved: {reason}</source>
@@ -4164,6 +4212,10 @@
   <message>
    <source>The settings file was damaged, so the window starts with the usual settings. {where}</source>
    <translation>设置文件已损坏，窗口以默认设置启动。{where}</translation>
+  </message>
+  <message>
+   <source>The step before</source>
+   <translation>上一步</translation>
   </message>
   <message>
    <source>The sum divides by zero</source>
@@ -4310,6 +4362,10 @@
    <translation>此显示不支持 OpenGL。</translation>
   </message>
   <message>
+   <source>Three methods, two variants</source>
+   <translation>三种方法，两种方案</translation>
+  </message>
+  <message>
    <source>Tick a format to see how it can be written.</source>
    <translation>勾选格式以查看其写出选项。</translation>
   </message>
@@ -4416,6 +4472,10 @@
   <message>
    <source>Total contact ratio</source>
    <translation>总重合度</translation>
+  </message>
+  <message>
+   <source>Tour</source>
+   <translation>导览</translation>
   </message>
   <message>
    <source>Transmission error</source>
@@ -4634,6 +4694,10 @@
    <translation>由参数导出的值</translation>
   </message>
   <message>
+   <source>What is drawn: deviation, exact flank, sections and points, and how the flank comes about.</source>
+   <translation>绘制的内容：偏差、精确齿面、截面和点，以及齿面的生成。</translation>
+  </message>
+  <message>
    <source>What is in the picture</source>
    <translation>图片内容</translation>
   </message>
@@ -4730,8 +4794,16 @@
    <translation>剖切平面的位置</translation>
   </message>
   <message>
+   <source>Where things are in the window, in six steps</source>
+   <translation>六步了解窗口布局</translation>
+  </message>
+  <message>
    <source>Which entries are shown</source>
    <translation>显示哪些条目</translation>
+  </message>
+  <message>
+   <source>Which method and which variant is shown: as the paper has it, or refined until it meets the tolerance.</source>
+   <translation>显示哪种方法与方案：同论文，或细化到满足公差。</translation>
   </message>
   <message>
    <source>White</source>
@@ -5508,6 +5580,10 @@
   <message>
    <source>{name}, single</source>
    <translation>{name}，单个</translation>
+  </message>
+  <message>
+   <source>{number} of {count}</source>
+   <translation>{number} / {count}</translation>
   </message>
   <message>
    <source>{passed} of {all} published values agree to the last printed digit</source>
