@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from PySide6.QtCore import QAbstractTableModel, QEvent, QItemSelectionModel, QModelIndex, Qt, Signal
 from PySide6.QtGui import QBrush, QColor, QFont, QFontMetrics
-from PySide6.QtWidgets import QAbstractItemView, QFrame, QHeaderView, QTableView, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QAbstractItemView, QFrame, QHeaderView, QLabel, QTableView, QVBoxLayout, QWidget
 
 from gearstudio.catalogue import METHOD_IDS, VARIANTS
 from ui.formatting import METHOD_TITLES, MINUS, VARIANT_TITLES, micrometres, seconds, settings_text, shortcoming, span
@@ -73,6 +73,12 @@ class ComparisonModel(QAbstractTableModel):
     def refresh(self) -> None:
         """Everything may have changed."""
         self.dataChanged.emit(self.index(0, 0), self.index(len(self.rows) - 1, SETTINGS))
+
+    def shortcomings(self) -> list[str]:
+        """A sentence for each method that models another flank than the one wanted."""
+        results = ((key.method, self._session.results.get(key)) for key in map(self.key, range(len(self.rows))))
+        found = (shortcoming(method, result.settings) for method, result in results if result is not None)
+        return list(dict.fromkeys(filter(None, found)))
 
     def rowCount(self, parent: _Index = QModelIndex()) -> int:  # noqa: B008 - Qt's signature
         return 0 if parent.isValid() else len(self.rows)
@@ -163,11 +169,21 @@ class ComparisonTable(QWidget):
         layout = QVBoxLayout(self)
         layout.setContentsMargins(4, 0, 8, 6)
         layout.addWidget(card)
+        self.note = QLabel()
+        self.note.setProperty("role", "muted")
+        self.note.setContentsMargins(8, 0, 0, 0)
+        self.note.hide()
+        layout.addWidget(self.note)
         self._fit()
 
     def refresh(self) -> None:
-        """Show the session's results again."""
+        """Show the session's results again, and below them what a method could not follow."""
         self.model.refresh()
+        text = "; ".join(self.model.shortcomings())
+        if text != self.note.text():
+            self.note.setText(text)
+            self.note.setVisible(bool(text))
+            self._fit()
 
     def mark(self, method: str, variant: str) -> None:
         """Highlight the row of a method and variant; none while all three are shown."""
@@ -186,14 +202,15 @@ class ComparisonTable(QWidget):
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
-        if event.type() in (QEvent.Type.FontChange, QEvent.Type.StyleChange) and hasattr(self, "view"):
+        if event.type() in (QEvent.Type.FontChange, QEvent.Type.StyleChange) and hasattr(self, "note"):
             self._fit()
 
     def _fit(self) -> None:
         """Make room for every row and for the widest texts."""
         heading = self.view.horizontalHeader().sizeHint().height()
         rows = self.model.rowCount() * self.view.verticalHeader().defaultSectionSize()
-        self.setFixedHeight(heading + rows + 18)
+        note = self.note.sizeHint().height() + self.layout().spacing() if self.note.text() else 0
+        self.setFixedHeight(heading + rows + 18 + note)
         font = self.view.font()
         font.setBold(True)
         metrics = QFontMetrics(font)

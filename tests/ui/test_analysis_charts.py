@@ -286,5 +286,6 @@ def test_a_method_that_leaves_modifications_out_says_so_in_the_legend_and_the_ta
     session.results.update(found)
     model = ComparisonModel(session)
     row = next(row for row in range(model.rowCount()) if model.key(row) == key)
+    assert model.shortcomings() == ["Rotating line: modifications left out"]
     tip = model.data(model.index(row, FIRST), Qt.ItemDataRole.ToolTipRole)
     assert tip == "Rotating line: modifications left out"

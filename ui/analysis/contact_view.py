@@ -22,6 +22,8 @@ NO_MATE = 1e9
 """Stands for the gap where the mate has no flank [µm]."""
 LEAST_SPAN_ARCSEC = 0.01
 """Less of a transmission error than this is not blown up to the height of the chart."""
+LEAST_PLAY_MM = 1e-4
+"""Less backlash than this is none."""
 
 
 @dataclass(frozen=True)
@@ -115,4 +117,4 @@ def facts(result: ContactResult, direction: Direction) -> tuple[tuple[str, str],
 def _backlash(play_mm: float) -> str:
     if np.isnan(play_mm):
         return "…"
-    return f"{significant(play_mm * 1e3) if abs(play_mm) > 1e-6 else 0} µm"
+    return f"{significant(play_mm * 1e3) if abs(play_mm) > LEAST_PLAY_MM else 0} µm"

@@ -6,7 +6,10 @@ from PySide6.QtCore import QSignalBlocker, Qt
 from PySide6.QtWidgets import QDoubleSpinBox, QGridLayout, QLabel, QSlider
 
 STEPS = 200
-BARE = "QDoubleSpinBox::up-button, QDoubleSpinBox::down-button { width: 0; border: none; }"
+BARE = (
+    "QDoubleSpinBox::up-button, QDoubleSpinBox::down-button { width: 0; border: none; }"
+    "QDoubleSpinBox::up-arrow, QDoubleSpinBox::down-arrow { image: none; width: 0; height: 0; }"
+)
 """A box without arrows: the style's own way to leave them out leaves no room for the number."""
 
 
@@ -18,7 +21,8 @@ class NumberSlider:
         self.label = QLabel(label)
         self.slider = QSlider(Qt.Orientation.Horizontal)
         self.slider.setRange(0, STEPS)
-        self.box = _Box()
+        self.box = QDoubleSpinBox()
+        self.box.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.box.setDecimals(decimals)
         self.box.setSuffix(f" {unit}")
         self.box.setAlignment(Qt.AlignmentFlag.AlignRight)
@@ -63,17 +67,3 @@ class NumberSlider:
         low, high = self._range
         with QSignalBlocker(self.slider):
             self.slider.setValue(round((self.box.value() - low) / (high - low) * STEPS))
-
-
-class _Box(QDoubleSpinBox):
-    """A box that the wheel changes only when it has the focus."""
-
-    def __init__(self) -> None:
-        super().__init__()
-        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-
-    def wheelEvent(self, event: object) -> None:
-        if self.hasFocus():
-            super().wheelEvent(event)  # type: ignore[arg-type]
-        else:
-            event.ignore()  # type: ignore[attr-defined]

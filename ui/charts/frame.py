@@ -5,8 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Protocol
 
-from PySide6.QtCore import QDir, QSize, QStandardPaths, Signal
-from PySide6.QtGui import QGuiApplication
+from PySide6.QtCore import QDir, QSize, QStandardPaths, Qt, Signal
+from PySide6.QtGui import QGuiApplication, QPainter, QPaintEvent
 from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QLabel, QSizePolicy, QVBoxLayout, QWidget
 
 from gearstudio.errors import FileError
@@ -14,6 +14,8 @@ from ui.charts.buttons import tool_button
 from ui.charts.export import FILTERS, Paint, clipboard_data, save
 from ui.charts.records import Table
 from ui.words import told, tr
+
+LEAST_LETTERS = 8
 
 
 def documents() -> str:
@@ -31,6 +33,20 @@ class Drawable(Protocol):
     @property
     def name(self) -> str: ...
     def size(self) -> QSize: ...
+
+
+class _Hint(QLabel):
+    """A line that ends in an ellipsis where there is no room for all of it; left out where there is hardly any."""
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        least = self.fontMetrics().averageCharWidth() * LEAST_LETTERS
+        if self.width() < least:
+            return
+        text = self.fontMetrics().elidedText(self.text(), Qt.TextElideMode.ElideRight, self.width())
+        with QPainter(self) as painter:
+            self.style().drawItemText(
+                painter, self.rect(), Qt.AlignmentFlag.AlignVCenter, self.palette(), True, text, self.foregroundRole()
+            )
 
 
 class ChartFrame(QWidget):
@@ -54,7 +70,7 @@ class ChartFrame(QWidget):
         self.title.setProperty("role", "section")
         self.title.setVisible(bool(title))
         self.head.addWidget(self.title)
-        self.hint = QLabel()
+        self.hint = _Hint()
         self.hint.setProperty("role", "muted")
         self.hint.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         self.head.addWidget(self.hint, 1)
