@@ -16,6 +16,7 @@ from gearstudio.checks import FaceCheck, FileCheck
 from gearstudio.design import Design, with_field
 from gearstudio.exchange.solids import Product
 from gearstudio.formats import FORMATS, OPTIONS, ExportOptions, options_of
+from gearstudio.theory.place import Place
 
 pytestmark = pytest.mark.kernel
 
@@ -173,7 +174,7 @@ def test_a_face_a_little_off_is_found() -> None:
     from gearstudio.methods.gear import design_tooth
 
     tooth = design_tooth(SMALL, "pinion", "profile_sweep", "optimised")
-    part = wanted(tooth, None, np.eye(3), 0.05)
+    part = wanted(tooth, None, Place(), 0.05)
     theory = GearTheory(tooth.member, tooth.profile)
     samples, titles = [], []
     for number in (0, 4, 8):
