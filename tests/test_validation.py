@@ -296,12 +296,16 @@ def test_an_arc_crosses_two_circles_exactly_within_the_range(width: float, spira
 FIRST_OFFER = re.compile(r"use (?:an?|at) .*?(?:most|least) (-?[\d.e+-]+)")
 
 
+KIND = ("pair.offset", "depth.system")
+"""The fields that decide which rules there are."""
+
+
 @st.composite
 def loose_designs(draw: st.DrawFn) -> Design:
-    """Designs whose fields are each within limits, whatever gear they make."""
+    """Bevel designs whose fields are each within limits, whatever gear they make."""
     design = Design()
     for spec in field_specs():
-        if spec.path == "name" or not draw(st.booleans()):
+        if spec.path == "name" or spec.path in KIND or not draw(st.booleans()):
             continue
         design = with_field(design, spec.path, draw(field_values(spec)))
     return design
@@ -329,6 +333,15 @@ def test_the_first_change_that_an_error_offers_removes_it(design: Design) -> Non
         spec = all_field_specs()[issue.field]
         changed = with_field(design, issue.field, int(value) if spec.kind == "int" else value)
         assert same_problem(issue) not in {same_problem(i) for i in check(changed)}, str(issue)
+
+
+@settings(max_examples=12, deadline=None)
+@given(loose_designs(), st.floats(-0.4, 0.4), st.sampled_from(["outer_module", "iso23509"]))
+def test_offsets_and_iso_depths_are_judged_whatever_the_rest(design: Design, share: float, system: str) -> None:
+    offset = share * design.pair.outer_module * design.pair.wheel_teeth
+    design = with_field(with_field(design, "pair.offset", min(max(offset, -5000.0), 5000.0)), "depth.system", system)
+    for issue in check(design, 0.5):
+        assert issue.field in all_field_specs() and issue.message
 
 
 def same_problem(issue: Issue) -> tuple[str, str]:

@@ -6,15 +6,11 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from gearstudio.theory.cones import MemberGeometry, PairGeometry
+from gearstudio.theory.hypoid.ratios import contact_ratios
+from gearstudio.theory.hypoid.vectors import about_axis
 from gearstudio.theory.involute import involute_azimuth
 
 Floats = NDArray[np.float64]
-
-
-def about_axis(angle: float) -> Floats:
-    """Rotation matrix about z, shape (3, 3)."""
-    c, s = np.cos(angle), np.sin(angle)
-    return np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
 
 
 def pinion_placement(pair: PairGeometry, pinion_turn: float = 0.0) -> Floats:
@@ -48,16 +44,27 @@ def placement(pair: PairGeometry, name: str, pinion_turn: float = 0.0) -> tuple[
 
 
 def transverse_contact_ratio(pair: PairGeometry) -> float:
-    """epsilon_alpha on the heel sphere (theory 8)."""
+    """epsilon_alpha on the heel sphere (theory 8); with an offset that of `contact_ratios`."""
+    if pair.hypoid is not None and pair.has_offset:
+        return contact_ratios(pair.hypoid)[0]
     path = sum(tip_arc(m) - m.gamma for m in (pair.pinion, pair.wheel))
     return float(path * pair.pinion.teeth / (2 * np.pi * np.sin(pair.pinion.base_angle)))
 
 
 def overlap_ratio(pair: PairGeometry) -> float:
-    """epsilon_beta (theory 8)."""
+    """epsilon_beta (theory 8); with an offset that of `contact_ratios`."""
+    if pair.hypoid is not None and pair.has_offset:
+        return contact_ratios(pair.hypoid)[1]
     wheel = pair.wheel
     theta = wheel.lengthwise.azimuth([wheel.inner_cone_distance, wheel.outer_cone_distance])
     return float(abs(theta[1] - theta[0]) / wheel.pitch)
+
+
+def total_contact_ratio(pair: PairGeometry) -> float:
+    """The modified contact ratio, the root of the sum of both squares; with an offset that of the whole flank."""
+    if pair.hypoid is not None and pair.has_offset:
+        return contact_ratios(pair.hypoid)[2]
+    return float(np.hypot(transverse_contact_ratio(pair), overlap_ratio(pair)))
 
 
 def tip_arc(member: MemberGeometry) -> float:

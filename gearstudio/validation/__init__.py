@@ -10,23 +10,33 @@ from pydantic import ValidationError
 from gearstudio.design import FORMAT, Design, all_field_specs
 from gearstudio.errors import Issue
 from gearstudio.validation.messages import field_issue, known_keys, shown, table_issue, unknown_key_issue
+from gearstudio.validation.patience import within
 from gearstudio.validation.rules import broken_rules
 
 __all__ = ["check", "format_issue", "read_design"]
 
-
-def check(design: Design) -> tuple[Issue, ...]:
-    """Every problem of the gear that a design would make, errors first; empty when all is well."""
-    return _errors_first(broken_rules(design, frozenset()))
+PATIENCE_S = 5.0
+"""Longest search for remedies where nobody says otherwise [s]."""
 
 
-def read_design(data: Mapping[str, Any]) -> tuple[Design | None, tuple[Issue, ...]]:
+def check(design: Design, patience_s: float = PATIENCE_S) -> tuple[Issue, ...]:
+    """Every problem of the gear that a design would make, errors first; empty when all is well.
+
+    Looking for remedies ends after the patience; what was not found by then is said in general words.
+    """
+    with within(patience_s):
+        return _errors_first(broken_rules(design, frozenset()))
+
+
+def read_design(data: Mapping[str, Any], patience_s: float = PATIENCE_S) -> tuple[Design | None, tuple[Issue, ...]]:
     """Read a design from nested tables, as a file or a form holds them, and find every problem at once.
 
     Parameters
     ----------
     data : mapping
         Tables and keys of the design file; what is missing takes its default. ``format`` may be missing.
+    patience_s : float
+        As of `check`.
 
     Returns
     -------
@@ -42,7 +52,8 @@ def read_design(data: Mapping[str, Any]) -> tuple[Design | None, tuple[Issue, ..
     if foreign is not None:
         issues.insert(0, foreign)
     bad = frozenset(issue.field for issue in issues)
-    found = _errors_first([*issues, *broken_rules(design, bad)])
+    with within(patience_s):
+        found = _errors_first([*issues, *broken_rules(design, bad)])
     return (None if any(issue.severity == "error" for issue in found) else design), found
 
 

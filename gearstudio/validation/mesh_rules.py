@@ -9,7 +9,7 @@ import numpy as np
 from gearstudio.design import Design, field_value
 from gearstudio.theory.blank import BlankError, BlankSizes, blank_outline
 from gearstudio.theory.cones import MemberGeometry
-from gearstudio.theory.pair import interference, overlap_ratio, transverse_contact_ratio
+from gearstudio.theory.pair import interference, total_contact_ratio
 from gearstudio.theory.profile import Fillet, fillet
 from gearstudio.validation.nearest import Cure, cure
 from gearstudio.validation.rule import (
@@ -25,6 +25,7 @@ from gearstudio.validation.rule import (
     geometry,
     mate_of,
     members,
+    present,
 )
 from gearstudio.validation.tooth_rules import FLANKED, LEAST_FLANK_FACTOR, TOOTHED, tip_angles
 
@@ -39,8 +40,9 @@ def _working_depth(design: Design) -> Iterator[Finding]:
             above = (member.name == "pinion") == (part == "addendum")
             yield Finding(
                 "tooth.profile_shift",
-                f"{tooth.profile_shift:.10g} leaves the {member.name} no {part} ({height:.4g} mm): its teeth do not "
-                f"reach across the pitch cone; use {f'more than {-bound:.4g}' if above else f'less than {bound:.4g}'}",
+                f"{present(design, 'tooth.profile_shift')} leaves the {member.name} no {part} ({height:.4g} mm): its "
+                "teeth do not reach across the pitch cone; "
+                f"use {f'more than {-bound:.4g}' if above else f'less than {bound:.4g}'}",
             )
 
 
@@ -64,14 +66,19 @@ def _interference(design: Design) -> Iterator[Finding]:
         field = found.field or "tooth.profile_shift"
         yield Finding(
             field,
-            f"{field_value(design, field):.10g} lets the {name}'s tip reach below the {mate.name}'s base cone, where "
+            f"{present(design, field)} lets the {name}'s tip reach below the {mate.name}'s base cone, where "
             "no conjugate flank is: the teeth interfere there; "
             f"use {found.text or 'a larger pressure angle or more teeth'}",
         )
 
 
+def _with_common_root(design: Design) -> list[MemberGeometry]:
+    """The members whose root cone shares the apex: one profile is enough to judge their fillets."""
+    return [member for member in members(design) if member.root_limit.offset == 0]
+
+
 def _full_round(design: Design) -> Iterator[Finding]:
-    for member in members(design):
+    for member in _with_common_root(design):
         made = fillet(member)
         if made.full_round:
             found = _fillet_cure(design, member.name, lambda _, fillet: not fillet.full_round)
@@ -89,7 +96,7 @@ def _leaves_flank(member: MemberGeometry, made: Fillet) -> bool:
 
 
 def _fillet_over_flank(design: Design) -> Iterator[Finding]:
-    for member in members(design):
+    for member in _with_common_root(design):
         if not _leaves_flank(member, fillet(member)):
             found = _fillet_cure(design, member.name, _leaves_flank)
             yield Finding(
@@ -100,7 +107,7 @@ def _fillet_over_flank(design: Design) -> Iterator[Finding]:
 
 
 def _fillet_in_mesh(design: Design) -> Iterator[Finding]:
-    for member in members(design):
+    for member in _with_common_root(design):
         if not _clears_mate(design, member.name):
             found = cure(
                 design,
@@ -144,12 +151,12 @@ def _face_cone(design: Design) -> Iterator[Finding]:
 
 def _contact_ratio(design: Design) -> Iterator[Finding]:
     pair = geometry(design)
-    total = float(np.hypot(transverse_contact_ratio(pair), overlap_ratio(pair)))
+    total = total_contact_ratio(pair)
     if total < 1:
         yield Finding(
             "tooth.addendum_factor",
-            f"{design.tooth.addendum_factor:.10g} makes the contact ratio only {total:.3g}: a pair of teeth parts "
-            "before the next one meets; a larger addendum factor, spiral angle or face width raises it",
+            f"{present(design, 'tooth.addendum_factor')} makes the contact ratio only {total:.3g}: a pair of teeth "
+            "parts before the next one meets; a larger addendum factor, spiral angle or face width raises it",
         )
 
 

@@ -8,6 +8,8 @@ from math import ceil, floor, log10
 
 from gearstudio.design import Design, all_field_specs, field_value, with_field
 from gearstudio.errors import GeometryError
+from gearstudio.validation.patience import is_late
+from gearstudio.validation.rule import acting, explicit
 
 Works = Callable[[Design], bool]
 _SCAN = 25
@@ -23,7 +25,7 @@ class Cure:
     field: str
 
 
-def cure(design: Design, works: Works, candidates: Sequence[tuple[str, float]]) -> Cure:
+def cure(design: Design, works: Works, candidates: Sequence[tuple[str, float]], scan: int = _SCAN) -> Cure:
     """What to change to make a design work.
 
     Parameters
@@ -33,13 +35,27 @@ def cure(design: Design, works: Works, candidates: Sequence[tuple[str, float]]) 
         Whether a changed design is free of the problem at hand.
     candidates : sequence of (path, toward)
         Fields to try, each from its present value toward another one.
+    scan : int
+        Into how many steps that way is divided: few where an answer takes long.
     """
     offers: dict[str, str] = {}
-    for path, toward in candidates:
-        value = None if path in offers else nearest(design, path, works, toward)
+    design = explicit(design)
+    for path, toward in (_acting(design, *candidate) for candidate in candidates):
+        value = None if path in offers or is_late() else nearest(design, path, works, toward, scan)
         if value is not None:
             offers[path] = offer(design, path, value)
     return Cure(" or ".join(offers.values()), next(iter(offers), ""))
+
+
+def _acting(design: Design, path: str, toward: float) -> tuple[str, float]:
+    """The field that acts in the design's depth system, and the value towards which to try it."""
+    found = acting(design, path)
+    if found == path:
+        return path, toward
+    depth = design.depth.depth_factor
+    shares = {"tooth.profile_shift": 0.5 - toward / depth, "tooth.clearance_factor": toward / 2}
+    spec = all_field_specs()[found]
+    return found, min(max(shares.get(path, 2 * toward), spec.minimum or 0.0), spec.maximum or 1.0)
 
 
 def offer(design: Design, path: str, value: float) -> str:
@@ -52,7 +68,7 @@ def offer(design: Design, path: str, value: float) -> str:
     return f"{article} {name} of at {word} {value:.10g}{unit}"
 
 
-def nearest(design: Design, path: str, works: Works, toward: float) -> float | None:
+def nearest(design: Design, path: str, works: Works, toward: float, scan: int = _SCAN) -> float | None:
     """The value nearest to the present one, on the way to another, with which a design works.
 
     Rounded to four digits on the working side; None when none was found. Whole fields get whole values.
@@ -71,12 +87,14 @@ def nearest(design: Design, path: str, works: Works, toward: float) -> float | N
     if whole:
         step = 1 if toward > start else -1
         return next((float(n) for n in range(int(start) + step, int(toward) + step, step) if works_at(n)), None)
-    places = [start + (toward - start) * k / (_SCAN - 1) for k in range(_SCAN)]
-    first = next((k for k in range(1, _SCAN) if works_at(places[k])), None)
+    places = [start + (toward - start) * k / (scan - 1) for k in range(scan)]
+    first = next((k for k in range(1, scan) if not is_late() and works_at(places[k])), None)
     if first is None:
         return None
     bad, good = places[first - 1], places[first]
     for _ in range(_HALVINGS):
+        if is_late():
+            break
         middle = (bad + good) / 2
         bad, good = (bad, middle) if works_at(middle) else (middle, good)
     rounded = round_toward(good, up=toward > start)

@@ -7,13 +7,13 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import NDArray
 
-from gearstudio.design import Design, field_value
+from gearstudio.design import Design
 from gearstudio.errors import GeometryError
 from gearstudio.theory.cones import MemberGeometry
 from gearstudio.theory.involute import involute_azimuth
 from gearstudio.theory.pair import tip_half_azimuth
 from gearstudio.validation.nearest import Cure, cure
-from gearstudio.validation.rule import DEPTH, PROFILE, THICKNESS, Finding, Holds, Rule, geometry, members
+from gearstudio.validation.rule import DEPTH, PROFILE, THICKNESS, Finding, Holds, Rule, geometry, members, present
 
 LEAST_FLANK_FACTOR = 0.02
 POINT_FACTOR = 0.005
@@ -23,10 +23,6 @@ _PLACES = 9
 
 def _member_cure(design: Design, name: str, holds: Holds, *candidates: tuple[str, float]) -> Cure:
     return cure(design, lambda changed: holds(geometry(changed).member(name)), candidates)
-
-
-def _present(design: Design, path: str) -> str:
-    return f"{field_value(design, path):.10g}"
 
 
 def _places(member: MemberGeometry) -> NDArray[np.float64]:
@@ -42,12 +38,12 @@ def tip_angles(member: MemberGeometry) -> NDArray[np.float64]:
 
 
 def _flank_start(member: MemberGeometry) -> float:
-    """Polar angle where the involute begins: the root cone or the base cone [rad]."""
-    return max(member.root_angle, member.base_angle)
+    """Polar angle where the involute begins: the root cone or the base cone, the highest along the face [rad]."""
+    return max(float(np.max(member.root_limit.at_sphere(_places(member)))), member.base_angle)
 
 
 def _has_root(member: MemberGeometry) -> bool:
-    return member.root_angle > 0
+    return bool(np.min(member.root_limit.at_sphere(_places(member))) > 0)
 
 
 def _root_cone(design: Design) -> Iterator[Finding]:
@@ -64,7 +60,7 @@ def _root_cone(design: Design) -> Iterator[Finding]:
         )
         yield Finding(
             found.field or "tooth.addendum_factor",
-            f"{_present(design, found.field or 'tooth.addendum_factor')} puts the {member.name}'s root cone at "
+            f"{present(design, found.field or 'tooth.addendum_factor')} puts the {member.name}'s root cone at "
             f"{np.degrees(member.root_angle):.3g}°, and it must be above 0°; use {found.text or 'more teeth'}",
         )
 
@@ -91,7 +87,7 @@ def _no_involute(design: Design) -> Iterator[Finding]:
         )
         yield Finding(
             found.field or "tooth.addendum_factor",
-            f"{_present(design, found.field or 'tooth.addendum_factor')} puts the {member.name}'s tip at "
+            f"{present(design, found.field or 'tooth.addendum_factor')} puts the {member.name}'s tip at "
             f"{np.min(tips):.4g}° to {np.max(tips):.4g}° along the face and leaves no involute flank above its {cone} "
             f"cone of {start:.4g}°; use {found.text or 'another tooth depth or more teeth'}",
         )
@@ -109,7 +105,7 @@ def _no_thickness(design: Design) -> Iterator[Finding]:
         field = found.field or "tooth.profile_shift"
         yield Finding(
             field,
-            f"{_present(design, field)} leaves the {member.name}'s teeth no thickness at the pitch cone; "
+            f"{present(design, field)} leaves the {member.name}'s teeth no thickness at the pitch cone; "
             f"use {found.text or 'a smaller profile shift and backlash'}",
         )
 
@@ -136,7 +132,7 @@ def _no_space(design: Design) -> Iterator[Finding]:
         )
         yield Finding(
             found.field or "tooth.profile_shift",
-            f"{_present(design, found.field or 'tooth.profile_shift')} makes the {member.name}'s teeth touch "
+            f"{present(design, found.field or 'tooth.profile_shift')} makes the {member.name}'s teeth touch "
             f"each other at the foot: there is no tooth space; "
             f"use {found.text or 'a smaller profile shift or pressure angle'}",
         )
@@ -171,7 +167,7 @@ def _pointed_tip(design: Design) -> Iterator[Finding]:
         )
         yield Finding(
             found.field or "tooth.addendum_factor",
-            f"{_present(design, found.field or 'tooth.addendum_factor')} makes the {member.name}'s flanks meet "
+            f"{present(design, found.field or 'tooth.addendum_factor')} makes the {member.name}'s flanks meet "
             "below its tip cone: the teeth are pointed; "
             f"use {found.text or 'a smaller addendum factor, profile shift or pressure angle'}",
         )
@@ -183,7 +179,7 @@ def _thin_tip(design: Design) -> Iterator[Finding]:
         if land <= THIN_FACTOR * member.module:
             yield Finding(
                 "tooth.addendum_factor",
-                f"{_present(design, 'tooth.addendum_factor')} makes the {member.name}'s tip only {land:.3g} mm wide "
+                f"{present(design, 'tooth.addendum_factor')} makes the {member.name}'s tip only {land:.3g} mm wide "
                 f"at the heel, less than {THIN_FACTOR:g} modules; "
                 "a smaller addendum factor or profile shift makes it wider",
             )
