@@ -15,20 +15,33 @@ from gearstudio.analysis.curvature import (
     theory_curvature,
     theory_curvature_at,
 )
+from gearstudio.catalogue import MEMBERS
 from gearstudio.design import Design
 from gearstudio.errors import GeometryError
 from gearstudio.nurbs import NurbsSurface
 from gearstudio.theory.cones import pair_geometry
 from gearstudio.theory.flank import FLANKS, InvoluteFlank, involute_flank
+from gearstudio.theory.modified import flank_of
 from tests.designs import GOLDEN
 
 PARTS = ("gaussian", "mean", "largest", "smallest")
 U, V = np.meshgrid(np.linspace(0.1, 1.0, 7), np.linspace(0.0, 1.0, 6), indexing="ij")
 
 
-def flanks(name: str) -> list[InvoluteFlank]:
-    pair = pair_geometry(GOLDEN[name][0])
-    return [involute_flank(member, flank) for member in (pair.pinion, pair.wheel) for flank in FLANKS]
+MICRO = {
+    "lengthwise_crowning_um": 20.0,
+    "profile_crowning_um": 10.0,
+    "spiral_angle_correction_um": 8.0,
+    "pressure_angle_correction_um": -6.0,
+    "bias_um": 12.0,
+}
+
+
+def flanks(name: str, taken_off: dict[str, float] | None = None) -> list[InvoluteFlank]:
+    flat = GOLDEN[name][0].model_dump()
+    every = {member: dict.fromkeys(FLANKS, taken_off or {}) for member in MEMBERS}
+    pair = pair_geometry(Design.model_validate({**flat, "modifications": every}))
+    return [flank_of(member, flank) for member in (pair.pinion, pair.wheel) for flank in FLANKS]
 
 
 def test_straight_teeth_are_cones() -> None:
@@ -60,10 +73,11 @@ def test_flank_curves_as_the_plane_rolls(name: str) -> None:
         assert np.all(found.smallest <= bend / rho + 1e-12) and np.all(bend / rho <= found.largest + 1e-12)
 
 
+@pytest.mark.parametrize("taken_off", [{}, MICRO], ids=["exact", "modified"])
 @pytest.mark.parametrize("name", GOLDEN)
-def test_curvature_by_normals(name: str) -> None:
+def test_curvature_by_normals(name: str, taken_off: dict[str, float]) -> None:
     """Weingarten: the derivative of the normal, taken by differences, has the same invariants."""
-    for flank in flanks(name):
+    for flank in flanks(name, taken_off):
         psi, rho = flank.coordinates(U, V)
         found = theory_curvature_at(flank, psi, rho)
         h, k = 1e-5, 1e-5 * rho
