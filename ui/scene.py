@@ -70,14 +70,14 @@ def result_layers(result: VariantResult) -> tuple[Layer, ...]:
 
 def rolling_layers(member: MemberGeometry, roll: float, options: SceneOptions | None = None) -> tuple[Layer, ...]:
     """Tangent plane, generating line and what it has swept at a roll in [0, 1]."""
-    flank = flank_of(member, (options or SceneOptions()).flank)
+    flank = flank_of(member, (options or SceneOptions()).flank).swept
     contact = _contact(flank, roll)
-    return (*_tangent_plane(member, contact), *_generating_line(flank, contact))
+    return (*_tangent_plane(flank.member, contact), *_generating_line(flank, contact))
 
 
 def roll_span_deg(member: MemberGeometry, options: SceneOptions | None = None) -> float:
     """Roll angle [deg] of the plane from the first to the last touch of the flank."""
-    first, last = _contact_span(flank_of(member, (options or SceneOptions()).flank))
+    first, last = _contact_span(flank_of(member, (options or SceneOptions()).flank).swept)
     return float(np.degrees(abs(last - first)))
 
 

@@ -10,6 +10,7 @@ from typing import Literal
 
 import numpy as np
 
+from gearstudio.analysis.datasheet_hypoid import standard_rows
 from gearstudio.analysis.datasheet_rows import Row, Subject, cone_rows, pair_rows
 from gearstudio.analysis.datasheet_teeth import size_rows, tooth_rows
 from gearstudio.catalogue import MEMBERS
@@ -23,7 +24,7 @@ _DECIMALS = {"mm": 4, "°": 5, "": 4}
 _ESCAPES = str.maketrans({"&": r"\&", "%": r"\%", "#": r"\#", "_": r"\_", "°": r"$^\circ$"})
 _GREEK = {
     "α": r"\alpha", "β": r"\beta", "γ": r"\gamma", "δ": r"\delta", "ε": r"\varepsilon", "θ": r"\theta",
-    "Σ": r"\Sigma",
+    "Σ": r"\Sigma", "ζ": r"\zeta",
 }  # fmt: skip
 
 
@@ -96,6 +97,8 @@ def data_sheet(design: Design) -> DataSheet:
     pair = pair_geometry(design)
     subjects = {name: Subject(design, pair, pair.member(name)) for name in MEMBERS}
     rows = (*pair_rows(), *cone_rows(), *size_rows(), *tooth_rows())
+    if pair.hypoid is not None:
+        rows = standard_rows(pair.hypoid)
     by_key = {row.key: row for row in rows}
     quantities: list[Quantity] = []
     for row in rows:

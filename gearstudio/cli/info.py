@@ -14,6 +14,10 @@ from gearstudio.cli.output import STANDARD_OUTPUT, table, write_json
 from gearstudio.design import Design
 from gearstudio.project import open_design
 from gearstudio.theory.cones import MemberGeometry, PairGeometry, pair_geometry
+from gearstudio.theory.flank import FLANKS
+from gearstudio.theory.hypoid.dimensions import dimensions
+from gearstudio.theory.hypoid.pair import HypoidPair
+from gearstudio.theory.modified import flank_member, flank_of
 from gearstudio.theory.pair import overlap_ratio, tip_half_azimuth, transverse_contact_ratio
 from gearstudio.theory.profile import fillet
 from gearstudio.validation import check
@@ -63,7 +67,7 @@ def member_info(member: MemberGeometry) -> dict[str, Any]:
     tip = float(member.limit_angle(member.tip_limit, outer))
     theta = np.degrees(member.lengthwise.azimuth([inner, outer]))
     spiral = np.degrees(member.lengthwise.spiral_angle([inner, outer]))
-    tip_half = float(tip_half_azimuth(member, outer))
+    tip_half = _tip_half(member, outer)
     return {
         "teeth": member.teeth,
         "hand": "right" if member.hand > 0 else "left",
@@ -85,11 +89,40 @@ def member_info(member: MemberGeometry) -> dict[str, Any]:
         "half_tooth_azimuth_deg": float(np.degrees(member.half_tooth_azimuth)),
         "tip_half_azimuth_deg": float(np.degrees(tip_half)),
         "tip_width": 2 * tip_half * float(np.sin(member.tip_limit.at_sphere(outer))) * outer,
+        **({} if member.hypoid is None else _each_flank(member)),
         "theta_toe_deg": float(theta[0]),
         "theta_heel_deg": float(theta[1]),
         "spiral_angle_toe_deg": float(spiral[0]),
         "spiral_angle_heel_deg": float(spiral[1]),
-        "fillet_radius": fillet(member).radius * outer,
+        "fillet_radius": _fillet(member),
+    }
+
+
+def _tip_half(member: MemberGeometry, rho: float) -> float:
+    """Half the tooth's azimuth at its tip at the heel [rad]."""
+    if member.hypoid is None:
+        return float(tip_half_azimuth(member, rho))
+    flanks = [flank_of(member, name) for name in FLANKS]
+    places = [flank.locate(flank.points(1.0, 1.0)) for flank in flanks]
+    turned = [float(phi - member.lengthwise.azimuth(at)) for at, _, phi in places]
+    return sum(flank.side * phi for flank, phi in zip(flanks, turned, strict=True)) / 2
+
+
+def _fillet(member: MemberGeometry) -> float:
+    """Radius of the fillet at the heel [mm]; with an offset the one asked for."""
+    return member.fillet_radius if member.hypoid is not None else fillet(member).radius * member.outer_cone_distance
+
+
+def _each_flank(member: MemberGeometry) -> dict[str, Any]:
+    """What differs from flank to flank with an offset; the pinion's base cones are those of its reference."""
+    sides = {name: flank_member(member, flank_of(member, name).side) for name in FLANKS}
+    return {
+        name: {
+            "base_angle_deg": float(np.degrees(one.base_angle)),
+            "transverse_pressure_angle_deg": float(np.degrees(one.transverse_pressure_angle)),
+            "gamma_deg": float(np.degrees(one.gamma)),
+        }
+        for name, one in sides.items()
     }
 
 
@@ -104,6 +137,29 @@ def pair_info(pair: PairGeometry) -> dict[str, Any]:
         "mean_spiral_angle_deg": float(np.degrees(pair.mean_spiral_angle)),
         "transverse_contact_ratio": transverse_contact_ratio(pair),
         "overlap_ratio": overlap_ratio(pair),
+        **({} if pair.hypoid is None else _standard_info(pair.hypoid)),
+    }
+
+
+def _standard_info(pair: HypoidPair) -> dict[str, Any]:
+    """Dimensions of the standard: offset, angles in its planes, limit pressure angle."""
+    found = dimensions(pair)
+    angles = {
+        "offset_angle_axial_deg": found.offset_angle_axial,
+        "offset_angle_pitch_deg": found.offset_angle_pitch,
+        "limit_pressure_angle_deg": found.limit_pressure_angle,
+        "drive_pressure_angle_deg": found.drive_pressure_angle,
+        "coast_pressure_angle_deg": found.coast_pressure_angle,
+        "pinion_spiral_angle_deg": found.pinion.mean.spiral_angle,
+        "wheel_spiral_angle_deg": found.wheel.mean.spiral_angle,
+    }
+    return {
+        "offset": found.offset,
+        **{name: float(np.degrees(angle)) for name, angle in angles.items()},
+        "pinion_mean_cone_distance": found.pinion.mean.cone_distance,
+        "wheel_mean_cone_distance": found.wheel.mean.cone_distance,
+        "working_depth": found.working_depth,
+        "clearance": found.clearance,
     }
 
 

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from gearstudio.analysis.curvature import CurvatureMap, curvature_difference, surface_curvature
 from gearstudio.errors import GeometryError
 from gearstudio.theory.cones import MemberGeometry
-from gearstudio.theory.flank import InvoluteFlank
+from gearstudio.theory.flank import Flank
 from gearstudio.theory.modified import flank_of
 from ui.charts.maps import FlankMap, MapData, Scale
 from ui.charts.raster import drawn_flat, frame, inside, outline, raster
@@ -94,7 +94,7 @@ def _title(wanted: Wanted) -> str:
     return tr("{title} curvature [{unit}]", title=title, unit=unit)
 
 
-def _curvature(result: VariantResult, flank: InvoluteFlank, wanted: Wanted) -> CurvatureMap | str:
+def _curvature(result: VariantResult, flank: Flank, wanted: Wanted) -> CurvatureMap | str:
     surface = result.flanks[wanted.flank].surface
     u0, u1, v0, v1 = surface.bounds
     u = np.linspace(u0 + INSET * (u1 - u0), u1, GRID[0])

@@ -99,9 +99,9 @@ def _values(results: Mapping[Key, VariantResult], member: MemberGeometry, pin: H
     import numpy as np
 
     from gearstudio.analysis.probe import probe, theory_at
-    from gearstudio.theory.flank import involute_flank
+    from gearstudio.theory.modified import flank_of
 
-    flank = involute_flank(member, "concave" if pin.flank == "concave" else "convex")
+    flank = flank_of(member, "concave" if pin.flank == "concave" else "convex")
     delta = float(np.radians(pin.delta_deg))
     found = {key: probe(one.flanks[pin.flank].surface, flank, pin.rho, delta) for key, one in results.items()}
     azimuth = float(np.degrees(np.arctan2(pin.xyz[1], pin.xyz[0])))

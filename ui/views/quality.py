@@ -18,7 +18,7 @@ from gearstudio.errors import GeometryError
 from gearstudio.nurbs import NurbsSurface
 from gearstudio.results import FlankResult, VariantResult
 from gearstudio.theory.cones import MemberGeometry
-from gearstudio.theory.flank import InvoluteFlank
+from gearstudio.theory.flank import Flank
 from gearstudio.theory.modified import flank_of
 
 Floats = NDArray[np.float64]
@@ -76,7 +76,7 @@ def variant_quality(result: VariantResult, member: MemberGeometry) -> dict[str, 
     }
 
 
-def flank_quality(result: FlankResult, flank: InvoluteFlank) -> FlankQuality:
+def flank_quality(result: FlankResult, flank: Flank) -> FlankQuality:
     """Curvature at the points of the deviation map; see `FlankQuality`."""
     rows, cols = result.points.shape[:2]
     u0, u1, v0, v1 = result.surface.bounds
