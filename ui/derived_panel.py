@@ -111,7 +111,10 @@ class SymbolDelegate(QStyledItemDelegate):
         painter.setPen(option.palette.text().color())
         painter.setFont(option.font)
         place = option.rect.adjusted(INDENT, 0, 0, 0)
+        painter.save()
+        painter.setClipRect(option.rect)
         painter.drawStaticText(place.left(), round(place.center().y() + 1 - option.fontMetrics.height() / 2), text)
+        painter.restore()
 
 
 class DerivedPanel(QWidget):

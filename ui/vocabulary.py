@@ -27,6 +27,8 @@ WORDS = (
     noted("body"),
     noted("toe"),
     noted("heel"),
+    noted("left"),
+    noted("right"),
     noted("base"),
     noted("addendum"),
     noted("dedendum"),

@@ -8,10 +8,10 @@ from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QPushButton, QVBoxLayout
 from gearstudio.analysis.contact_placing import MARKING_THICKNESS_UM, Misalignment
 from ui.analysis.number_slider import NumberSlider
 from ui.method_bar import Segments
-from ui.words import tr
+from ui.words import noted, tr
 
 MISALIGNMENTS = (
-    ("offset", "E  offset", "Pinion axis beside the wheel's, positive as a positive hypoid offset", "mm"),
+    ("offset", noted("E  offset"), "Pinion axis beside the wheel's, positive as a positive hypoid offset", "mm"),
     ("pinion_axial", "P  pinion axial", "Pinion along its axis, positive away from the crossing point", "mm"),
     ("wheel_axial", "G  wheel axial", "Wheel along its axis, positive away from the crossing point", "mm"),
     ("shaft_angle_deg", "Σ  shaft angle", "Shaft angle beyond its nominal value", "°"),
@@ -22,6 +22,12 @@ WIDTH = 312
 SIDES = (
     ("drive", "Drive", "The pinion's concave flank leads"),
     ("coast", "Coast", "The pinion's convex flank leads"),
+)
+
+
+PINIONS = (
+    ("conjugate", noted("Conjugate"), "The pinion's flanks as the wheel makes them"),
+    ("own_cone", noted("Own base cone"), "A reference: the pinion's flanks as involutes on base cones of their own"),
 )
 
 
@@ -52,6 +58,10 @@ class ContactControls(QWidget):
         top.addWidget(self.sides)
         top.addStretch(1)
         top.addWidget(reset)
+        self.pinions = Segments(PINIONS, tr("Flanks of the pinion"))
+        self.pinions.set_choice(PINIONS[0][0])
+        self.pinions.chosen.connect(lambda _choice: self.changed.emit())
+        self.pinions.hide()
         grid = QGridLayout()
         grid.setHorizontalSpacing(8)
         grid.setVerticalSpacing(2)
@@ -71,6 +81,7 @@ class ContactControls(QWidget):
         layout.setContentsMargins(10, 6, 8, 2)
         layout.setSpacing(5)
         layout.addLayout(top)
+        layout.addWidget(self.pinions, 0, Qt.AlignmentFlag.AlignLeft)
         layout.addLayout(grid)
         layout.addStretch(1)
         layout.setAlignment(Qt.AlignmentFlag.AlignTop)
@@ -90,6 +101,17 @@ class ContactControls(QWidget):
     def thickness_um(self) -> float:
         """Of the marking compound."""
         return self.thickness.value
+
+    def set_offset(self, has_offset: bool) -> None:
+        """Offer the reference pinion where there is an offset, and only there."""
+        self.pinions.setVisible(has_offset)
+        if not has_offset:
+            self.pinions.set_choice(PINIONS[0][0])
+
+    @property
+    def own_cone(self) -> bool:
+        """Whether the reference pinion is asked for."""
+        return not self.pinions.isHidden() and self.pinions.button("own_cone").isChecked()
 
     def set_module(self, module: float) -> None:
         """Sliders that reach as far as makes sense for teeth of this size."""

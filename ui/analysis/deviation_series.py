@@ -89,7 +89,7 @@ def deviation_chart(results: Mapping[Key, VariantResult], choice: Choice) -> Cha
     title = {"grid": tr("Point"), "face": tr("Place along the face"), "profile": tr("Place along the profile")}[
         choice.path
     ]
-    ends = {"face": ("toe", "heel"), "profile": ("root", "tip")}.get(choice.path)
+    ends = {"face": (tr("toe"), tr("heel")), "profile": (tr("root"), tr("tip"))}.get(choice.path)
     ticks = None if ends is None else [(0, ends[0]), (0.25, "¼"), (0.5, "½"), (0.75, "¾"), (1, ends[1])]
     return ChartData(
         name=f"deviation-{choice.member}-{choice.flank}-{choice.path}",

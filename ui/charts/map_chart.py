@@ -16,6 +16,7 @@ from ui.charts.maps import Colors, FlankMap, MapData, Scale
 from ui.charts.parts import pen
 from ui.charts.records import Table
 from ui.theme import is_dark
+from ui.words import tr
 
 MOST_LINES, BAR_BLOCKS = 4, 14
 
@@ -110,7 +111,7 @@ class _MapPlot(pg.PlotItem):
         self.vb.setDefaultPadding(0.02)
         self._picture = pg.ImageItem(axisOrder="row-major")
         self._outline = pg.PlotCurveItem()
-        self._words = [pg.TextItem(text, anchor=anchor) for text, anchor in _WORDS]
+        self._words = [pg.TextItem(tr(text), anchor=anchor) for text, anchor in _WORDS]
         self._lines = [pg.PlotCurveItem() for _ in range(MOST_LINES)]
         self._drawn: tuple[object, ...] = ()
         for item in (self._picture, self._outline, *self._lines, *self._words):

@@ -143,7 +143,7 @@ class ReportDialog(QDialog):
 
     def _lay_out(self) -> None:
         choices = QVBoxLayout()
-        heading = QLabel(tr("Sections"))
+        heading = QLabel(tr("Chapters"))
         heading.setProperty("role", "heading")
         choices.addWidget(heading)
         for box in self._boxes.values():

@@ -104,6 +104,10 @@
    <translation>&amp;Hilfe</translation>
   </message>
   <message>
+   <source>&amp;Keep this one</source>
+   <translation>&amp;Diesen behalten</translation>
+  </message>
+  <message>
    <source>&amp;Keys…</source>
    <translation>&amp;Tasten…</translation>
   </message>
@@ -178,6 +182,10 @@
   <message>
    <source>&amp;Stop</source>
    <translation>&amp;Anhalten</translation>
+  </message>
+  <message>
+   <source>&amp;Take the file</source>
+   <translation>Datei &amp;nehmen</translation>
   </message>
   <message>
    <source>&amp;Theme</source>
@@ -320,8 +328,8 @@
    <translation>Druckfehler unter der Wurzel: das rechtwinklige Kugeldreieck gibt cos²δ.</translation>
   </message>
   <message>
-   <source>A new language is complete after the next start.</source>
-   <translation>Eine neue Sprache gilt ab dem nächsten Start.</translation>
+   <source>A new language is spoken from the next window on; File ▸ New window opens one.</source>
+   <translation>Eine neue Sprache gilt ab dem nächsten Fenster; Datei ▸ Neues Fenster öffnet eines.</translation>
   </message>
   <message>
    <source>A number above 0, at most {most:g} kg/m³</source>
@@ -478,6 +486,10 @@
   <message>
    <source>Angle between the two axes; both pitch cones must stay below 90°.</source>
    <translation>Winkel zwischen den Achsen; beide Teilkegel müssen unter 90° bleiben.</translation>
+  </message>
+  <message>
+   <source>Another way to draw takes effect at the next start.</source>
+   <translation>Eine andere Zeichenart gilt ab dem nächsten Start.</translation>
   </message>
   <message>
    <source>Apex at the origin, axis along +z, teeth at z &gt; 0.</source>
@@ -829,11 +841,15 @@
   </message>
   <message>
    <source>Centre z</source>
-   <translation>Schwerpunkt z</translation>
+   <translation>Zentrum z</translation>
   </message>
   <message>
    <source>Change {field} to {value}</source>
    <translation>{field} auf {value} ändern</translation>
+  </message>
+  <message>
+   <source>Chapters</source>
+   <translation>Kapitel</translation>
   </message>
   <message>
    <source>Chart</source>
@@ -1184,8 +1200,8 @@
    <translation>&amp;Vergleich kopieren</translation>
   </message>
   <message>
-   <source>Copy of unsaved work every</source>
-   <translation>Kopie ungesicherter Arbeit alle</translation>
+   <source>Copy of unsaved work after</source>
+   <translation>Kopie ungesicherter Arbeit nach</translation>
   </message>
   <message>
    <source>Copy report</source>
@@ -1508,6 +1524,10 @@
    <translation>Richtungen x, y und z des Rads</translation>
   </message>
   <message>
+   <source>Discard recovered</source>
+   <translation>Wiederhergestelltes verwerfen</translation>
+  </message>
+  <message>
    <source>Dismiss</source>
    <translation>Ausblenden</translation>
   </message>
@@ -1558,6 +1578,10 @@
   <message>
    <source>Duplex</source>
    <translation>Duplex</translation>
+  </message>
+  <message>
+   <source>E  offset</source>
+   <translation>E  Versatz</translation>
   </message>
   <message>
    <source>Each save leaves a copy. Going back changes no file until you save, and can be undone.</source>
@@ -1716,6 +1740,10 @@
    <translation>Felder mit einem Problem</translation>
   </message>
   <message>
+   <source>File changed</source>
+   <translation>Datei geändert</translation>
+  </message>
+  <message>
    <source>Files</source>
    <translation>Dateien</translation>
   </message>
@@ -1737,7 +1765,7 @@
   </message>
   <message>
    <source>Fillet radius, heel</source>
-   <translation>Fußrundungsradius, Ferse</translation>
+   <translation>Fußradius, Ferse</translation>
   </message>
   <message>
    <source>Film</source>
@@ -1785,7 +1813,7 @@
   </message>
   <message>
    <source>Flanks coloured by deviation</source>
-   <translation>Flanken nach Abweichung gefärbt</translation>
+   <translation>Abweichung in Farben</translation>
   </message>
   <message>
    <source>Flanks of one tooth</source>
@@ -1830,6 +1858,10 @@
   <message>
    <source>Forget the layout, the list of recent files and all preferences?</source>
    <translation>Anordnung, Liste der letzten Dateien und alle Einstellungen vergessen?</translation>
+  </message>
+  <message>
+   <source>Forget the unsaved edits of “{name}” for good?</source>
+   <translation>Ungesicherte Änderungen an „{name}“ endgültig vergessen?</translation>
   </message>
   <message>
    <source>Frames</source>
@@ -1990,10 +2022,6 @@
   <message>
    <source>Go on with the edits that were not saved</source>
    <translation>Mit den ungesicherten Änderungen fortfahren</translation>
-  </message>
-  <message>
-   <source>Graphics and memory take effect at the next start.</source>
-   <translation>Grafik und Speicher gelten ab dem nächsten Start.</translation>
   </message>
   <message>
    <source>Grey</source>
@@ -2169,7 +2197,7 @@
   </message>
   <message>
    <source>Inner cone distance</source>
-   <translation>Innere Teilkegellänge</translation>
+   <translation>Kegellänge, innen</translation>
   </message>
   <message>
    <source>Inner dedendum</source>
@@ -2210,6 +2238,10 @@
   <message>
    <source>It needs “{choice}” as {field}.</source>
    <translation>Braucht „{choice}“ bei: {field}.</translation>
+  </message>
+  <message>
+   <source>Its version can be taken, and Undo brings this one back; or keep this one.</source>
+   <translation>Ihr Stand kann übernommen werden, Rückgängig bringt diesen zurück; oder diesen behalten.</translation>
   </message>
   <message>
    <source>KHK gear technical reference, Gleason spiral bevel pair 20/40</source>
@@ -2393,7 +2425,7 @@
   </message>
   <message>
    <source>Lowest … highest</source>
-   <translation>Kleinste … größte</translation>
+   <translation>Von … bis</translation>
   </message>
   <message>
    <source>Map</source>
@@ -2441,7 +2473,7 @@
   </message>
   <message>
    <source>Mean cone distance</source>
-   <translation>Mittlere Teilkegellänge</translation>
+   <translation>Kegellänge, Mitte</translation>
   </message>
   <message>
    <source>Mean curvature</source>
@@ -2453,7 +2485,7 @@
   </message>
   <message>
    <source>Mean normal module</source>
-   <translation>Mittlerer Normalmodul</translation>
+   <translation>Normalmodul, Mitte</translation>
   </message>
   <message>
    <source>Mean of the absolute deviations</source>
@@ -2597,7 +2629,7 @@
   </message>
   <message>
    <source>Modified contact ratio</source>
-   <translation>Modifizierte Überdeckung</translation>
+   <translation>Überdeckung, modif.</translation>
   </message>
   <message>
    <source>Motion</source>
@@ -2705,7 +2737,7 @@
   </message>
   <message>
    <source>Not built yet</source>
-   <translation>Noch nicht gebaut</translation>
+   <translation>Nicht gebaut</translation>
   </message>
   <message>
    <source>Not used now.</source>
@@ -2889,7 +2921,7 @@
   </message>
   <message>
    <source>Outer cone distance</source>
-   <translation>Äußere Teilkegellänge</translation>
+   <translation>Kegellänge, außen</translation>
   </message>
   <message>
    <source>Outer dedendum</source>
@@ -3069,7 +3101,7 @@
   </message>
   <message>
    <source>Pitch diameter, heel</source>
-   <translation>Teilkreisdurchmesser, Ferse</translation>
+   <translation>Teilkreis-⌀, Ferse</translation>
   </message>
   <message>
    <source>Pitch error</source>
@@ -3077,7 +3109,7 @@
   </message>
   <message>
    <source>Pitch to base element</source>
-   <translation>Teil- zu Grundkegellinie</translation>
+   <translation>Teil–Grundlinie</translation>
   </message>
   <message>
    <source>Pitch to base element, in the tangent plane</source>
@@ -3193,11 +3225,11 @@
   </message>
   <message>
    <source>Pressure angle, normal</source>
-   <translation>Eingriffswinkel, normal</translation>
+   <translation>Normaleingriffsw.</translation>
   </message>
   <message>
    <source>Pressure angle, transv.</source>
-   <translation>Eingriffswinkel, Stirn</translation>
+   <translation>Stirneingriffswinkel</translation>
   </message>
   <message>
    <source>Preview of the report</source>
@@ -3329,7 +3361,7 @@
   </message>
   <message>
    <source>Rebuild when the design changes</source>
-   <translation>Neu bauen, wenn sich der Entwurf ändert</translation>
+   <translation>Bei Änderung neu bauen</translation>
   </message>
   <message>
    <source>Reco&amp;ver unsaved work…</source>
@@ -3669,7 +3701,7 @@
   </message>
   <message>
    <source>Settings</source>
-   <translation>Einstellungen</translation>
+   <translation>Angaben</translation>
   </message>
   <message>
    <source>Shaft angle</source>
@@ -3926,6 +3958,10 @@
   <message>
    <source>Take over</source>
    <translation>Übernehmen</translation>
+  </message>
+  <message>
+   <source>Take the changed file</source>
+   <translation>Geänderte Datei übernehmen</translation>
   </message>
   <message>
    <source>Take the marker away (Esc)</source>
@@ -4196,6 +4232,10 @@
   <message>
    <source>The publication does not print the data from which it could be computed</source>
    <translation>Die Veröffentlichung druckt die Daten zur Berechnung nicht</translation>
+  </message>
+  <message>
+   <source>The report could not be made: the CAD kernel stopped. {reason}</source>
+   <translation>Bericht nicht erstellt: der CAD-Kern wurde angehalten. {reason}</translation>
   </message>
   <message>
    <source>The report could not be made: {reason}</source>
@@ -5102,6 +5142,10 @@
    <translation>mindestens</translation>
   </message>
   <message>
+   <source>left</source>
+   <translation>links</translation>
+  </message>
+  <message>
    <source>left out</source>
    <translation>weggelassen</translation>
   </message>
@@ -5280,6 +5324,10 @@
   <message>
    <source>record: {name}</source>
    <translation>Prüfbericht: {name}</translation>
+  </message>
+  <message>
+   <source>right</source>
+   <translation>rechts</translation>
   </message>
   <message>
    <source>roll angle at the pitch cone</source>
@@ -5558,6 +5606,10 @@
    <translation>{name} (schreibgeschützt)</translation>
   </message>
   <message>
+   <source>{name} is no longer on the disk; Save writes it again.</source>
+   <translation>{name} ist nicht mehr auf der Platte; Speichern schreibt sie neu.</translation>
+  </message>
+  <message>
    <source>{name} was not opened: it has {count} problems, the first at {problem}</source>
    <translation>{name} nicht geöffnet: {count} Probleme, das erste bei {problem}</translation>
   </message>
@@ -5642,6 +5694,10 @@ Ein Ende ziehen ändert den Bereich, Doppelklick gibt ihn ein. Grau: kein Wert</
   <message>
    <source>“{name}” is open in another GearStudio window ({holder}).</source>
    <translation>„{name}“ ist in einem anderen GearStudio-Fenster offen ({holder}).</translation>
+  </message>
+  <message>
+   <source>“{name}” was changed by another program.</source>
+   <translation>„{name}“ wurde von einem anderen Programm geändert.</translation>
   </message>
   <message>
    <source>“{text}” is neither a number nor a sum</source>
@@ -6393,6 +6449,10 @@ Ein Ende ziehen ändert den Bereich, Doppelklick gibt ihn ein. Grau: kein Wert</
   <message>
    <source>the volume differs by {0}</source>
    <translation>das Volumen weicht um {0} ab</translation>
+  </message>
+  <message>
+   <source>the volume of a {0} with end chamfers is integrated without an offset only</source>
+   <translation>das Volumen mit Endfasen wird nur ohne Achsversatz integriert: {0}</translation>
   </message>
   <message>
    <source>the web's front face, {0} mm from the apex, must lie on the front cone between {1} and {2} mm; change the thickness by {3} mm</source>

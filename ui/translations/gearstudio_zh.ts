@@ -104,6 +104,10 @@
    <translation>帮助(&amp;H)</translation>
   </message>
   <message>
+   <source>&amp;Keep this one</source>
+   <translation>保留当前版本(&amp;K)</translation>
+  </message>
+  <message>
    <source>&amp;Keys…</source>
    <translation>快捷键(&amp;K)…</translation>
   </message>
@@ -178,6 +182,10 @@
   <message>
    <source>&amp;Stop</source>
    <translation>停止(&amp;S)</translation>
+  </message>
+  <message>
+   <source>&amp;Take the file</source>
+   <translation>采用文件(&amp;T)</translation>
   </message>
   <message>
    <source>&amp;Theme</source>
@@ -320,8 +328,8 @@
    <translation>根号下有印刷错误：球面直角三角形给出 cos²δ。</translation>
   </message>
   <message>
-   <source>A new language is complete after the next start.</source>
-   <translation>新语言在下次启动后生效。</translation>
+   <source>A new language is spoken from the next window on; File ▸ New window opens one.</source>
+   <translation>新语言从下一个窗口起生效；“文件 ▸ 新窗口”可打开一个。</translation>
   </message>
   <message>
    <source>A number above 0, at most {most:g} kg/m³</source>
@@ -478,6 +486,10 @@
   <message>
    <source>Angle between the two axes; both pitch cones must stay below 90°.</source>
    <translation>两轴夹角；两个节锥角均须小于 90°。</translation>
+  </message>
+  <message>
+   <source>Another way to draw takes effect at the next start.</source>
+   <translation>新的绘制方式在下次启动时生效。</translation>
   </message>
   <message>
    <source>Apex at the origin, axis along +z, teeth at z &gt; 0.</source>
@@ -836,6 +848,10 @@
    <translation>将{field}改为 {value}</translation>
   </message>
   <message>
+   <source>Chapters</source>
+   <translation>章节</translation>
+  </message>
+  <message>
    <source>Chart</source>
    <translation>图表</translation>
   </message>
@@ -1184,8 +1200,8 @@
    <translation>复制比较表(&amp;M)</translation>
   </message>
   <message>
-   <source>Copy of unsaved work every</source>
-   <translation>未保存工作的副本间隔</translation>
+   <source>Copy of unsaved work after</source>
+   <translation>未保存工作的副本延时</translation>
   </message>
   <message>
    <source>Copy report</source>
@@ -1508,6 +1524,10 @@
    <translation>齿轮的 x、y、z 方向</translation>
   </message>
   <message>
+   <source>Discard recovered</source>
+   <translation>丢弃恢复版本</translation>
+  </message>
+  <message>
    <source>Dismiss</source>
    <translation>关闭</translation>
   </message>
@@ -1558,6 +1578,10 @@
   <message>
    <source>Duplex</source>
    <translation>双重收缩</translation>
+  </message>
+  <message>
+   <source>E  offset</source>
+   <translation>E  偏置</translation>
   </message>
   <message>
    <source>Each save leaves a copy. Going back changes no file until you save, and can be undone.</source>
@@ -1716,6 +1740,10 @@
    <translation>有问题的字段</translation>
   </message>
   <message>
+   <source>File changed</source>
+   <translation>文件已更改</translation>
+  </message>
+  <message>
    <source>Files</source>
    <translation>文件</translation>
   </message>
@@ -1830,6 +1858,10 @@
   <message>
    <source>Forget the layout, the list of recent files and all preferences?</source>
    <translation>清除布局、最近文件列表和所有首选项？</translation>
+  </message>
+  <message>
+   <source>Forget the unsaved edits of “{name}” for good?</source>
+   <translation>永久丢弃“{name}”未保存的修改？</translation>
   </message>
   <message>
    <source>Frames</source>
@@ -1990,10 +2022,6 @@
   <message>
    <source>Go on with the edits that were not saved</source>
    <translation>继续未保存的修改</translation>
-  </message>
-  <message>
-   <source>Graphics and memory take effect at the next start.</source>
-   <translation>图形与内存设置在下次启动时生效。</translation>
   </message>
   <message>
    <source>Grey</source>
@@ -2210,6 +2238,10 @@
   <message>
    <source>It needs “{choice}” as {field}.</source>
    <translation>需要{field}为“{choice}”。</translation>
+  </message>
+  <message>
+   <source>Its version can be taken, and Undo brings this one back; or keep this one.</source>
+   <translation>可采用文件版本（撤销可恢复当前），或保留当前版本。</translation>
   </message>
   <message>
    <source>KHK gear technical reference, Gleason spiral bevel pair 20/40</source>
@@ -3928,6 +3960,10 @@
    <translation>接管</translation>
   </message>
   <message>
+   <source>Take the changed file</source>
+   <translation>采用已更改的文件</translation>
+  </message>
+  <message>
    <source>Take the marker away (Esc)</source>
    <translation>移除标记 (Esc)</translation>
   </message>
@@ -4196,6 +4232,10 @@
   <message>
    <source>The publication does not print the data from which it could be computed</source>
    <translation>出版物未给出计算所需的数据</translation>
+  </message>
+  <message>
+   <source>The report could not be made: the CAD kernel stopped. {reason}</source>
+   <translation>无法生成报告：CAD 内核已停止。{reason}</translation>
   </message>
   <message>
    <source>The report could not be made: {reason}</source>
@@ -5102,6 +5142,10 @@
    <translation>至少</translation>
   </message>
   <message>
+   <source>left</source>
+   <translation>左</translation>
+  </message>
+  <message>
    <source>left out</source>
    <translation>略去</translation>
   </message>
@@ -5280,6 +5324,10 @@
   <message>
    <source>record: {name}</source>
    <translation>记录：{name}</translation>
+  </message>
+  <message>
+   <source>right</source>
+   <translation>右</translation>
   </message>
   <message>
    <source>roll angle at the pitch cone</source>
@@ -5558,6 +5606,10 @@
    <translation>{name}（只读）</translation>
   </message>
   <message>
+   <source>{name} is no longer on the disk; Save writes it again.</source>
+   <translation>{name} 已不在磁盘上；保存可重新写出。</translation>
+  </message>
+  <message>
    <source>{name} was not opened: it has {count} problems, the first at {problem}</source>
    <translation>{name} 未打开：有 {count} 个问题，首个为 {problem}</translation>
   </message>
@@ -5642,6 +5694,10 @@ Drag an end of the bar to change the range, double-click to type it. Grey: no va
   <message>
    <source>“{name}” is open in another GearStudio window ({holder}).</source>
    <translation>“{name}”已在另一 GearStudio 窗口打开（{holder}）。</translation>
+  </message>
+  <message>
+   <source>“{name}” was changed by another program.</source>
+   <translation>“{name}”已被其他程序更改。</translation>
   </message>
   <message>
    <source>“{text}” is neither a number nor a sum</source>
@@ -6393,6 +6449,10 @@ Drag an end of the bar to change the range, double-click to type it. Grey: no va
   <message>
    <source>the volume differs by {0}</source>
    <translation>体积相差 {0}</translation>
+  </message>
+  <message>
+   <source>the volume of a {0} with end chamfers is integrated without an offset only</source>
+   <translation>仅在无偏置时才对带端部倒角的{0}积分体积</translation>
   </message>
   <message>
    <source>the web's front face, {0} mm from the apex, must lie on the front cone between {1} and {2} mm; change the thickness by {3} mm</source>
