@@ -16,7 +16,8 @@ from numpy.typing import NDArray
 from gearstudio.results import FaceResult, SolidResult
 from gearstudio.theory.chamfer import EndChamfer, end_chamfers
 from gearstudio.theory.cones import MemberGeometry
-from gearstudio.theory.modified import flank_on
+from gearstudio.theory.profile import profile_of
+from gearstudio.theory.section import Profile
 from ui.grids import grid_triangles, path_segments, turned
 from ui.meshes import Mesh, copied_cells, copies, joined, stitched, turned_to
 from ui.solid_patches import Patch, patch_mesh, pitch_patches
@@ -88,13 +89,14 @@ def gear_mesh(result: SolidResult, member: MemberGeometry, fineness: float = FIN
     others = joined([mesh for mesh, flank in zip(meshes, is_flank, strict=True) if not flank])
     body, rings, arcs = _body(result, patches, chamfers, azimuths, tolerance)
     edges, segments = _edges(patches, azimuths, rings, arcs)
-    off = [_deviation(member, f, p.points) for f, p, x in zip(result.faces, patches, is_flank, strict=True) if x]
+    theory = profile_of(member)
+    off = [_deviation(theory, f, p.points) for f, p, x in zip(result.faces, patches, is_flank, strict=True) if x]
     deviation = np.tile(np.concatenate(off) if off else np.empty(0), result.teeth)
     return GearMesh(copies(flanks, azimuths), copies(others, azimuths), body, deviation, edges, segments)
 
 
-def _deviation(member: MemberGeometry, face: FaceResult, points: Floats) -> Floats:
-    return 1e3 * np.asarray(flank_on(member, face.side).deviation(points)).ravel()
+def _deviation(theory: Profile, face: FaceResult, points: Floats) -> Floats:
+    return 1e3 * np.asarray(theory.flank(face.side).deviation(points)).ravel()
 
 
 # ---- ends and body ----------------------------------------------------------------------------------------

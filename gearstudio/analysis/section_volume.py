@@ -36,6 +36,9 @@ def _half_section(profile: Profile, side: int, v: Floats) -> Floats:
     total = np.zeros_like(v)
     for name in profile.below(side):
         delta, phi = profile.rising(name, side, x[:, None], rho_u)
+        shift = profile.shift_on(side)
+        if shift is not None:
+            phi = phi + shift(member.cone_distance(rho_u, delta), delta)
         total += _integral(profile, side, delta, phi, rho_u, weight)
     rho, delta, azimuth = flank.locate(flank.points(x[:, None], v))
     phi = np.remainder(azimuth - member.lengthwise.azimuth(rho) + np.pi, 2 * np.pi) - np.pi

@@ -19,7 +19,7 @@ from gearstudio.theory.flank_protocol import Flank
 from gearstudio.theory.hypoid.profile import hypoid_profile
 from gearstudio.theory.involute import azimuth_from_arc, involute_azimuth, polar_angle, roll_arc
 from gearstudio.theory.modified import azimuth_shift, azimuth_shift_slope, flank_on, relief_on
-from gearstudio.theory.section import Profile, Segment, Shift, off_circle
+from gearstudio.theory.section import Profile, Segment, Shift, faded, off_circle
 
 Floats = NDArray[np.float64]
 
@@ -137,13 +137,10 @@ class ToothProfile:
             return np.zeros(rho.shape)
         top = m.base_angle if self.fillet.on_meridian else self.fillet.foot_angle
         value = azimuth_shift(m, side, relief, rho, np.maximum(delta, top))
-        below = delta < top
-        if not np.any(below):
+        if not np.any(delta < top):
             return value
-        depth = top - m.root_angle
-        t = np.clip((delta - m.root_angle) / depth, 0.0, 1.0)
-        slope = azimuth_shift_slope(m, side, relief, rho, np.full_like(delta, top)) * depth
-        return np.where(below, t**2 * (value * (3 - 2 * t) + slope * (t - 1)), value)
+        slope = azimuth_shift_slope(m, side, relief, rho, np.full_like(delta, top))
+        return faded(value, slope, delta, np.asarray(m.root_angle), np.asarray(top))
 
     @property
     def has_root(self) -> bool:

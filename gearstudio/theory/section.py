@@ -98,3 +98,18 @@ def off_circle(radius: Floats, centre_angle: Floats, delta: Floats, phi: Floats)
     """How far points lie inside circles on the unit sphere [rad]; phi is from the centre's azimuth."""
     haversine = np.sin((delta - centre_angle) / 2) ** 2 + np.sin(delta) * np.sin(centre_angle) * np.sin(phi / 2) ** 2
     return np.asarray(radius - 2 * np.arcsin(np.sqrt(np.clip(haversine, 0.0, 1.0))))
+
+
+def faded(value: Floats, slope: Floats, delta: Floats, root: Floats, low: Floats) -> Floats:
+    """A turn that goes on below a flank's foot with the same value and slope and ends, slope included, at the root.
+
+    Parameters
+    ----------
+    value, slope : ndarray
+        At the polar angle ``delta``, or at ``low`` below it [rad].
+    delta, root, low : ndarray
+        Polar angles of places, of the root cone and of the foot [rad].
+    """
+    depth = low - root
+    t = np.clip((delta - root) / depth, 0.0, 1.0)
+    return np.where(delta < low, t**2 * (value * (3 - 2 * t) + slope * depth * (t - 1)), value)

@@ -15,11 +15,15 @@ from gearstudio.theory.cones import MemberGeometry
 from gearstudio.theory.hypoid.conjugate import ConjugateFlank
 from gearstudio.theory.hypoid.edge import StartOfContact
 from gearstudio.theory.hypoid.fillets import BEYOND, Circle, places
+from gearstudio.theory.hypoid.modified import ModifiedConjugate
 from gearstudio.theory.hypoid.undercut import LEAST_AREA_RATIO
+from gearstudio.theory.hypoid.vectors import dot, quarter
+from gearstudio.theory.relief import FlankRelief
 
 Floats = NDArray[np.float64]
 
 _NODES = 25
+_STEP = 1e-5
 _STEPS = 20
 _ACCURACY = 1e-8
 """Last step of a root [rad]: the next would be nearly its square."""
@@ -68,6 +72,21 @@ class ConjugateSide:
     def start_azimuth(self) -> float:
         """There is no meridian."""
         raise NotImplementedError
+
+    @property
+    def relief(self) -> FlankRelief | None:
+        """See `FilletSide`."""
+        return self.whole.relief if isinstance(self.whole, ModifiedConjugate) else None
+
+    def turn(self, rho: Floats, delta: Floats) -> tuple[Floats, Floats]:
+        """See `FilletSide`; the slope is a difference."""
+        low, here, high = (self._turn(rho, delta + k * _STEP) for k in (-1, 0, 1))
+        return here, (high - low) / (2 * _STEP)
+
+    def _turn(self, rho: Floats, delta: Floats) -> Floats:
+        assert self.relief is not None
+        made = self.whole.envelope.at(*self.flank.natural_at(rho, delta))
+        return np.asarray(-self.relief.value(rho, delta) / dot(quarter(made.point), made.normal))
 
     @cached_property
     def _tip(self) -> Floats:

@@ -19,6 +19,8 @@ from gearstudio.theory.cones import MemberGeometry
 from gearstudio.theory.flank import InvoluteFlank
 from gearstudio.theory.flank_protocol import Flank
 from gearstudio.theory.involute import azimuth_from_arc, involute_azimuth, polar_angle, roll_arc
+from gearstudio.theory.modified import ModifiedFlank, azimuth_shift, azimuth_shift_slope
+from gearstudio.theory.relief import FlankRelief
 
 Floats = NDArray[np.float64]
 
@@ -69,6 +71,15 @@ class FilletSide(Protocol):
         """Azimuth of the meridian below the base cone [rad], towards the space."""
         ...
 
+    @property
+    def relief(self) -> FlankRelief | None:
+        """Micro-geometry of the flank."""
+        ...
+
+    def turn(self, rho: Floats, delta: Floats) -> tuple[Floats, Floats]:
+        """By how much micro-geometry turns the flank at cone distances and polar angles, and its slope over these."""
+        ...
+
 
 @dataclass(frozen=True)
 class InvoluteSide:
@@ -77,7 +88,7 @@ class InvoluteSide:
     Attributes
     ----------
     whole : InvoluteFlank
-        Of any foot.
+        Of any foot; micro-geometry turns the fillet, which is that of the flank without.
     radius : float
         Of the circle [rad].
     """
@@ -127,6 +138,18 @@ class InvoluteSide:
         """See `FilletSide`."""
         m = self.whole.member
         return m.half_tooth_azimuth + float(involute_azimuth(m.pitch_angle, m.base_angle))
+
+    @property
+    def relief(self) -> FlankRelief | None:
+        """See `FilletSide`."""
+        return self.whole.relief if isinstance(self.whole, ModifiedFlank) else None
+
+    def turn(self, rho: Floats, delta: Floats) -> tuple[Floats, Floats]:
+        """See `FilletSide`."""
+        member, side = self.whole.member, self.whole.side
+        assert self.relief is not None
+        slope = azimuth_shift_slope(member, side, self.relief, rho, delta)
+        return azimuth_shift(member, side, self.relief, rho, delta), slope
 
     def _centre_angle(self, rho_u: Floats) -> Floats:
         m = self.whole.member

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,7 +16,7 @@ from gearstudio.theory.flank_protocol import Flank
 from gearstudio.theory.hypoid.conjugate import ConjugateFlank
 from gearstudio.theory.hypoid.conjugate_fillets import ConjugateSide
 from gearstudio.theory.hypoid.fillets import BEYOND, FilletSide, InvoluteSide
-from gearstudio.theory.section import Segment, Shift, off_circle, on_circle
+from gearstudio.theory.section import Segment, Shift, faded, off_circle, on_circle
 
 Floats = NDArray[np.float64]
 
@@ -59,8 +60,20 @@ class HypoidProfile:
         return self.sides[side].flank
 
     def shift_on(self, side: int) -> Shift | None:
-        """None: these flanks have no micro-geometry."""
-        return None
+        """See `Profile`."""
+        return None if self.sides[side].relief is None else partial(self.shift, side)
+
+    def shift(self, side: int, rho: Floats, delta: Floats) -> Floats:
+        """By how much micro-geometry turns the profile of one side [rad]; it fades out in the fillet."""
+        rho, delta = np.broadcast_arrays(rho, delta)
+        if self.sides[side].relief is None:
+            return np.zeros(rho.shape)
+        m, fillet = self.member, self.sides[side]
+        rho_u = self._near(rho, delta)
+        root = m.limit_angle(m.root_limit, rho_u)
+        low = np.full(rho.shape, fillet.flank.member.base_angle) if fillet.on_meridian else self.foot_angle(side, rho_u)
+        value, slope = fillet.turn(rho, np.maximum(delta, low))
+        return faded(value, slope, delta, root, low)
 
     def places(self, share: Floats) -> Floats:
         """See `Profile`."""
@@ -92,12 +105,15 @@ class HypoidProfile:
 
     def off_fillet(self, side: int, rho: Floats, delta: Floats, phi: Floats) -> Floats:
         """See `Profile`."""
-        m = self.member
-        reach = BEYOND * m.face_width
-        low, high = m.inner_cone_distance - reach, m.outer_cone_distance + reach
-        circle = self.sides[side].circle(np.clip(m.end_distance(rho, delta), low, high))
-        azimuth = np.remainder(side * phi - circle.centre_azimuth + np.pi, 2 * np.pi) - np.pi
+        circle = self.sides[side].circle(self._near(rho, delta))
+        turned = phi - self.shift(side, rho, delta)
+        azimuth = np.remainder(side * turned - circle.centre_azimuth + np.pi, 2 * np.pi) - np.pi
         return off_circle(circle.radius, circle.centre_angle, delta, azimuth) * rho
+
+    def _near(self, rho: Floats, delta: Floats) -> Floats:
+        """rho_u of places, not far beyond the ends."""
+        m, reach = self.member, BEYOND * self.member.face_width
+        return np.clip(m.end_distance(rho, delta), m.inner_cone_distance - reach, m.outer_cone_distance + reach)
 
     def extended(self, member: MemberGeometry) -> HypoidProfile:
         """See `Profile`."""
@@ -108,11 +124,12 @@ class HypoidProfile:
 
     def unmodified(self, flanks: dict[int, Flank]) -> HypoidProfile:
         """See `Profile`."""
-        return hypoid_profile(flanks)
+        profile = hypoid_profile(flanks)
+        return replace(profile, member=replace(profile.member, reliefs=(None, None)))
 
 
 def hypoid_profile(flanks: Mapping[int, Flank]) -> HypoidProfile:
-    """The profile between two flanks by side, without their micro-geometry.
+    """The profile between two flanks by side.
 
     Raises
     ------
@@ -142,9 +159,13 @@ def _on(flank: Flank, member: MemberGeometry) -> Flank:
     """A flank continued on a longer and higher member."""
     if isinstance(flank, ConjugateFlank):
         return replace(flank, member=member, lower=None)
-    return InvoluteFlank(member, flank.side)
+    assert isinstance(flank, InvoluteFlank)
+    return replace(flank, member=member, foot=None)
 
 
 def _side(flank: Flank, radius: float) -> FilletSide:
     """The fillet of a radius [rad] below a flank."""
-    return ConjugateSide(flank, radius) if isinstance(flank, ConjugateFlank) else InvoluteSide(flank.swept, radius)
+    if isinstance(flank, ConjugateFlank):
+        return ConjugateSide(flank, radius)
+    assert isinstance(flank, InvoluteFlank)
+    return InvoluteSide(flank, radius)
