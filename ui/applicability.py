@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 from gearstudio.design import all_field_specs, field_specs
 from ui.explain import title_in_text
 from ui.formatting import choice_title
+from ui.offset_fields import depth_hints, idle_by_offset
 from ui.units import shown_text
 from ui.words import tr
 
@@ -35,6 +36,7 @@ def idle_fields(draft: Mapping[str, Any]) -> dict[str, str]:
             idle[path] = tr("There is no {field} to begin or end.", field=title_in_text(all_field_specs()[amount]))
     if curve != "archimedean":
         idle["lengthwise.spiral_angle_at"] = tr("Only the Archimedean spiral can take its angle at the toe.")
+    idle |= idle_by_offset(draft)
     if draft.get("pair.face_width") is not None:
         idle["pair.face_width_factor"] = tr("The face width is given as a length: empty that field to use the factor.")
     return idle
@@ -43,6 +45,7 @@ def idle_fields(draft: Mapping[str, Any]) -> dict[str, str]:
 def derived_hints(design: Design, pair: PairGeometry) -> dict[str, str]:
     """Values that the program takes for empty optional fields, as grey text."""
     hints = {"pair.face_width": _hint(pair.wheel.face_width)}
+    hints |= depth_hints(pair)
     for member in (pair.pinion, pair.wheel):
         hints |= _blank_hints(design, member)
     return hints

@@ -20,6 +20,9 @@ if TYPE_CHECKING:
 
 ALL = "all"
 
+_PATIENCE_S = 0.3
+"""Longest search for remedies after an edit [s]."""
+
 
 class Key(NamedTuple):
     """Which result: member, method, variant."""
@@ -192,7 +195,7 @@ class Session(QObject):
         from gearstudio.theory.cones import pair_geometry
         from gearstudio.validation import read_design
 
-        design, issues = read_design(nest(self.draft))
+        design, issues = read_design(nest(self.draft), _PATIENCE_S)
         pair: PairGeometry | None = None
         if design is not None and (force or self.pair is None or design != self.design):
             try:

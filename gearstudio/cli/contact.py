@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -17,6 +18,7 @@ if TYPE_CHECKING:
     from gearstudio.analysis.contact_result import ContactResult, FlankContact
 
 TABLE_SHAPE = (50, 30)
+PINIONS = ("conjugate", "own_cone")
 UNUSABLE_INPUT = 2
 
 
@@ -48,6 +50,13 @@ def run(args: argparse.Namespace) -> int:
 
     design = open_design(args.design)
     pair = pair_geometry(design)
+    if args.pinion == "own_cone":
+        if not pair.has_offset:
+            problem(
+                "--pinion: without an offset the pinion on base cones of its own is the conjugate one; leave it out"
+            )
+            return UNUSABLE_INPUT
+        pair = replace(pair, own_cone_pinion=True)
     try:
         result = contact_analysis(pair, args.misalign, thickness_um=args.thickness)
     except GeometryError as error:
@@ -75,6 +84,7 @@ def contact_record(pair: PairGeometry, result: ContactResult) -> dict[str, Any]:
             "S_deg": placed.shaft_angle_deg,
         },
         "thickness_um": result.thickness_um,
+        "pinion": "own_cone" if pair.own_cone_pinion else "conjugate",
         "play_mm": result.play_mm,
         "warnings": [{"code": w.code, "field": w.field, "message": w.message} for w in result.warnings],
     }

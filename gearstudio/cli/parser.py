@@ -119,6 +119,10 @@ def make_parser(take_picture: screenshot.TakePicture | None = None) -> argparse.
         "--thickness", type=contact.thickness, default=MARKING_THICKNESS_UM, metavar="UM",
         help=f"of the marking compound in µm; default: {MARKING_THICKNESS_UM:g}",
     )  # fmt: skip
+    made.add_argument(
+        "--pinion", choices=contact.PINIONS, default=contact.PINIONS[0],
+        help="with an offset: conjugate to the wheel (default), or on base cones of its own, as a reference",
+    )  # fmt: skip
     _add_json(made)
 
     made = command("measure", "measured points against the theory", measure.run)

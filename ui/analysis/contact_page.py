@@ -65,6 +65,7 @@ class ContactPage(QWidget):
         self.warning.setContentsMargins(12, 2, 8, 6)
         self.work = Newest("contact analysis", self)
         self._pair: PairGeometry | None = None
+        self._reference: PairGeometry | None = None
         self._view: ContactView | None = None
         self._side: Direction = "drive"
         self._shown: Shown = "pattern"
@@ -90,6 +91,8 @@ class ContactPage(QWidget):
         if session.pair is None or session.pair is self._pair:
             return
         self._pair = session.pair
+        self._reference = replace(session.pair, own_cone_pinion=True)
+        self.controls.set_offset(session.pair.has_offset)
         self.controls.set_module(session.pair.wheel.module)
         self._request()
 
@@ -137,10 +140,11 @@ class ContactPage(QWidget):
         self._request()
 
     def _request(self) -> None:
-        if self._pair is None:
+        if self._pair is None or self._reference is None:
             return
         controls = self.controls
-        case = Case(self._pair, controls.misalignment, controls.thickness_um, controls.sliding)
+        pair = self._reference if controls.own_cone else self._pair
+        case = Case(pair, controls.misalignment, controls.thickness_um, controls.sliding)
         side, shown, known = self._side, self._shown, self._view
         self.work.request(self._pair, lambda: analyse(case, side, shown, known))
 
