@@ -70,6 +70,8 @@ class FileCheck:
         Of triangles: farthest that their middles lie from theory [µm].
     kernel : str
         Name and version of what read the file.
+    remarks : tuple of str
+        What is in the file by intention and not as the design asks for.
     """
 
     format: str
@@ -86,6 +88,7 @@ class FileCheck:
     chord_um: float | None = None
     chord_limit_um: float | None = None
     kernel: str = ""
+    remarks: tuple[str, ...] = ()
 
     @property
     def worst(self) -> tuple[FaceCheck, ...]:

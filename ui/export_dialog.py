@@ -249,6 +249,7 @@ def _found(file: ExportedFile) -> str:
             tr("triangles within {um} µm of theory ({limit} µm allowed)",
                um=f"{check.chord_um:.4g}", limit=f"{check.chord_limit_um:.4g}")
         )  # fmt: skip
+    lines += map(told, check.remarks)
     if file.record is not None:
         lines.append(tr("record: {name}", name=file.record.name))
     return "\n  ".join(lines)

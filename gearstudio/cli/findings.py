@@ -16,6 +16,7 @@ def findings(check: FileCheck) -> str:
         lines += table([("face", "largest", "limit", "", ""), *map(_row, check.worst)], left=(0, 3, 4)).splitlines()
     if check.chord_um is not None and check.chord_limit_um is not None:
         lines.append(f"triangles within {check.chord_um:.4g} µm of theory, {check.chord_limit_um:.4g} µm allowed")
+    lines += [f"note: {remark}" for remark in check.remarks]
     lines.append(f"read by {check.kernel}")
     return "\n".join(f"  {line}" for line in lines)
 

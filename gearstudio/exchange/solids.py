@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
 
@@ -30,12 +30,15 @@ from gearstudio.methods.tooth import Tooth
 from gearstudio.results import Mesh
 from gearstudio.theory.blank import blank_outline
 from gearstudio.theory.cones import pair_geometry
+from gearstudio.theory.flank import FLANKS
+from gearstudio.theory.modified import flank_of
 from gearstudio.theory.pair import placement
 from gearstudio.theory.place import Place
 
 Floats = NDArray[np.float64]
 
 _CHORD_SHARE = 1e-4
+_SAMPLES = (41, 41)
 _COLORS = {"pinion": (0.80, 0.74, 0.62), "wheel": (0.66, 0.72, 0.80)}
 _FLANK_COLORS = (("concave", (0.20, 0.45, 0.75)), ("convex", (0.82, 0.45, 0.20)))
 
@@ -96,11 +99,32 @@ class Product:
         FileError
             The file cannot be read.
         """
+        return replace(self._checked(path, format_), remarks=self._remarks)
+
+    def _checked(self, path: Path, format_: str) -> FileCheck:
         if format_ in MESH_FORMATS:
             counts = [len(part.mesh.triangles) for part in self._meshes]
             chord = max(self._chord(self._tooth(name)) for name in self._members)
             return check_meshes(read_meshes(path, format_, counts), format_, self._meshes, self._wanted, chord)
         return check_shape(read_shape(path, format_), format_, self.solids(ignore), self._wanted)
+
+    @property
+    def _remarks(self) -> tuple[str, ...]:
+        """Of each member whose flanks are others than those of the design, by how much."""
+        found = []
+        for name in self._members:
+            member = pair_geometry(self.design).member(name)
+            missed = [
+                float(np.abs(flank_of(member, flank).deviation(built.surface.uniform_grid(*_SAMPLES))).max())
+                for flank in FLANKS
+                if (built := self._tooth(name).constructions[flank]).instead is not None
+            ]
+            if missed:
+                found.append(
+                    f"the {name}'s flanks are up to {1e3 * max(missed):.4g} µm from those of the design, which a "
+                    "rotating line cannot sweep; the faces are held against the flanks that it does sweep"
+                )
+        return tuple(found)
 
     def solids(self, report: Report) -> list[Part]:
         """The solids with names and places."""

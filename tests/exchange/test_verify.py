@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import shutil
 from pathlib import Path
 from typing import Any
@@ -120,3 +121,14 @@ def test_unusable_input_is_one_line_a_problem(project: Path, tmp_path: Path, cap
     ):
         status, out, err = verify(*words, capsys=capsys)
         assert (status, out) == (2, "") and said in err
+
+
+def test_flanks_that_a_rotating_line_cannot_sweep_are_told(tmp_path: Path, capsys: Any) -> None:
+    crowned = with_field(SMALL, "modifications.pinion.concave.lengthwise_crowning_um", 25.0)
+    save_design(tmp_path / "crowned.gear.toml", crowned)
+    words = ["--member", "pinion", "--part", "tooth", "--format", "step", "--record", "--out", str(tmp_path)]
+    assert main(["export", str(tmp_path / "crowned.gear.toml"), *words, "--method", "rotating_line"]) == 0
+    status, out, _ = verify(tmp_path / "crowned.gear.toml", capsys=capsys)
+    assert status == 0 and re.search(r"flanks are up to 2[45][.\d]* µm from those of the design", out)
+    assert main(["export", str(tmp_path / "crowned.gear.toml"), *words, "--method", "point_cloud"]) == 0
+    assert "those of the design" not in verify(tmp_path / "crowned.gear.toml", capsys=capsys)[1]
