@@ -23,7 +23,7 @@ from ui.language import chosen_language, install
 from ui.loading import Loader
 from ui.main_window import MainWindow
 from ui.messages import ReportDialog
-from ui.preferences import LANGUAGES
+from ui.preferences import LANGUAGES, Choices
 from ui.projects.desk import Desk, data_folder
 from ui.session import Session
 from ui.settings_file import open_settings, reset_settings
@@ -56,6 +56,7 @@ def make_application(argv: Sequence[str]) -> QApplication:
     application.setApplicationName("GearStudio")
     application.setOrganizationName("GearStudio")
     application.setDesktopFileName("gearstudio")
+    QSettings.setDefaultFormat(QSettings.Format.IniFormat)  # one file of settings
     return application
 
 
@@ -89,6 +90,8 @@ class Studio(QObject):
         self.loader.finished.connect(self.desk.offer_recovery)
         self.loader.failed.connect(self._on_failed)
         self.loader.finished.connect(self.habits.keys.entries)
+        self._use_preferences(Choices(), self.habits.preferences.choices)
+        self.habits.preferences.changed.connect(self._use_preferences)
         self.window.first_painted.connect(self.loader.start)
         self.window.closing.connect(self._on_closing)
         theme.changed.connect(self._on_theme_changed)
@@ -107,6 +110,13 @@ class Studio(QObject):
         )
         if not any(dialog.isVisible() for dialog in self._dialogs):
             self._show_report(tr("Unexpected error"), words, report)
+
+    def _use_preferences(self, before: Choices, now: Choices) -> None:
+        """What concerns neither form nor theme: when unsaved work is copied, and how much memory the CAD may have."""
+        if self.desk.autosave is not None and now.autosave_seconds != before.autosave_seconds:
+            self.desk.autosave.set_pause(now.autosave_seconds)
+        if now.memory_limit_mb != before.memory_limit_mb:
+            self.upkeep.memory.set_limit(now.memory_limit_mb)
 
     def _on_closing(self) -> None:
         self._theme.changed.disconnect(self._on_theme_changed)

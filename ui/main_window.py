@@ -26,6 +26,7 @@ from ui.wheel_guard import guard_wheel
 from ui.words import noted, tr
 
 LAYOUT_VERSION = 3
+LEAST = QSize(1280, 720)
 ROOMY_WIDTH = 1500
 """From this width on the list of layers is open from the start."""
 FORM_WIDTH, LAYERS_WIDTH, SOLID_WIDTH = 356, 252, 292
@@ -82,7 +83,7 @@ class MainWindow(QMainWindow):
         self.setCentralWidget(self.area)
         self._make_toolbar()
         self._make_docks()
-        self.setMinimumSize(960, 600)
+        self.setMinimumSize(LEAST.boundedTo(QGuiApplication.primaryScreen().availableSize()))
         guard_wheel()
 
     @property

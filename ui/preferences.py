@@ -12,7 +12,7 @@ THEMES = (("system", "As the system"), ("light", "Light"), ("dark", "Dark"))
 GRAPHICS = (("auto", "Automatic"), ("software", "Software, without the graphics card"), ("off", "No 3D views"))
 MOST_DECIMALS = 8
 LEAST_MEMORY_MB, MOST_MEMORY_MB = 1000, 256_000
-LEAST_AUTOSAVE_S, MOST_AUTOSAVE_S = 2, 600
+LEAST_AUTOSAVE_S, MOST_AUTOSAVE_S = 2, 60
 
 
 @dataclass(frozen=True)
@@ -33,7 +33,7 @@ class Choices:
     graphics : {"auto", "software", "off"}
         What draws the 3D views, from the next start on.
     autosave_seconds : int
-        Time between two copies of unsaved work.
+        From a change to its copy for recovery.
     """
 
     length: str = "mm"
@@ -42,7 +42,7 @@ class Choices:
     language: str = ""
     memory_limit_mb: int = 4000
     graphics: str = "auto"
-    autosave_seconds: int = 10
+    autosave_seconds: int = 2
 
 
 NAMES = {

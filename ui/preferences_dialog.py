@@ -82,7 +82,7 @@ class PreferencesDialog(QDialog):
         box.setToolTip(tr("Digits after the point of lengths in mm and angles; two more in inches"))
         self._choice(form, "theme", tr("Theme"), THEMES, tr("Colours of the window"))
         self._choice(form, "language", tr("Language"), LANGUAGES, tr("Words of the window"))
-        _note(form, tr("A new language is complete after the next start."))
+        _note(form, tr("A new language is spoken from the next window on; File ▸ New window opens one."))
         return page
 
     def _work_page(self) -> QWidget:
@@ -92,9 +92,9 @@ class PreferencesDialog(QDialog):
         box.setSpecialValueText(tr("No limit"))
         box.setToolTip(tr("Above this the CAD process is replaced when it is at rest; 0 for no limit"))
         self._choice(form, "graphics", tr("3D views drawn by"), GRAPHICS, tr("What draws the 3D views"))
-        _note(form, tr("Graphics and memory take effect at the next start."))
+        _note(form, tr("Another way to draw takes effect at the next start."))
         seconds = self._number(
-            form, "autosave_seconds", tr("Copy of unsaved work every"), LEAST_AUTOSAVE_S, MOST_AUTOSAVE_S, " s"
+            form, "autosave_seconds", tr("Copy of unsaved work after"), LEAST_AUTOSAVE_S, MOST_AUTOSAVE_S, " s"
         )
         seconds.setToolTip(tr("After a crash, edits since the last copy are lost"))
         return page

@@ -185,9 +185,14 @@ def test_the_saved_version_is_opened_and_the_recovered_one_stays(place: Place, t
     assert place.bench.session.design == PRESETS[4].design and file.exists()
 
 
-def test_a_recovered_version_is_discarded(place: Place) -> None:
+def test_a_recovered_version_is_discarded_after_a_question(place: Place, monkeypatch) -> None:
     file = left_behind(place.folder, None)
-    place.desk.offer_recovery().discard.click()
+    dialog = place.desk.offer_recovery()
+    monkeypatch.setattr(QMessageBox, "exec", lambda _box: QMessageBox.StandardButton.Cancel)
+    dialog.discard.click()
+    assert file.exists() and dialog.isVisible()
+    monkeypatch.setattr(QMessageBox, "exec", lambda _box: QMessageBox.StandardButton.Discard)
+    dialog.discard.click()
     assert not file.exists() and not list(file.parent.iterdir())
 
 

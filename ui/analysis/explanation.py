@@ -9,9 +9,10 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QFrame, QLabel, QScrollArea, QWidget
 
-from ui.analysis.sheet_table import lowered
+from ui.analysis.sheet_table import lowered, shown_value
 from ui.formatting import MEMBER_TITLES, MINUS
 from ui.theme import tokens
+from ui.units import factor, to_shown, unit_shown
 from ui.words import tr
 
 if TYPE_CHECKING:
@@ -45,6 +46,10 @@ class Explanation(QScrollArea):
         self._line = line
         self.refresh_theme()
 
+    def show_units(self) -> None:
+        """Show the same line in the unit that the user chose now."""
+        self.refresh_theme()
+
     def refresh_theme(self) -> None:
         """Take the colours of the theme in use."""
         if self._line:
@@ -61,7 +66,7 @@ def explanation(line: tuple[Quantity, ...]) -> str:
     ]
     for quantity in line:
         head = "" if quantity.owner == "pair" else f"{tr(MEMBER_TITLES[quantity.owner])}: "
-        result = f"<i>{lowered(quantity.symbol)}</i> = {_number(quantity.text, quantity.unit)}"
+        result = f"<i>{lowered(quantity.symbol)}</i> = {_number(shown_value(quantity), quantity.unit)}"
         parts.append(f'<p style="margin:8px 0 2px 0"><b>{head}{result}</b></p>')
         parts.append(f'<table cellspacing="0" cellpadding="1">{_rows(quantity)}</table>')
     return "".join(parts)
@@ -78,16 +83,21 @@ def where(equation: str) -> str:
 
 
 def _rows(quantity: Quantity) -> str:
-    from gearstudio.analysis.datasheet import number
-
     muted = tokens().muted
     return "".join(
         f'<tr><td style="color:{muted}"><i>{lowered(symbol)}</i>&nbsp;</td>'
-        f"<td>= {_number(number(value, unit), unit)}</td></tr>"
+        f"<td>= {_number(_input(value, unit), unit)}</td></tr>"
         for symbol, value, unit in quantity.inputs
     )
 
 
+def _input(value: float, unit: str) -> str:
+    """A number that was put in, with the digits of the sheet, in the unit shown."""
+    from gearstudio.analysis.datasheet import number
+
+    return number(value, unit) if factor(unit) == 1 else f"{to_shown(value, unit):.6f}"
+
+
 def _number(text: str, unit: str) -> str:
     gap = "" if unit == "°" else "&nbsp;"
-    return f"{text.replace('-', MINUS)}{gap}{unit}"
+    return f"{text.replace('-', MINUS)}{gap}{unit_shown(unit)}"

@@ -26,7 +26,7 @@ log = logging.getLogger(__name__)
 
 
 class Autosave(QObject):
-    """Writes the draft into the recovery folder `PAUSE_MS` after its first unsaved change, and again while it changes.
+    """Writes the draft into the recovery folder a pause after its first unsaved change, and again while it changes.
 
     The file goes when the draft is saved or given up. A lock beside it tells other windows that it is in use;
     the operating system's record of processes tells them when its owner died.
@@ -54,6 +54,10 @@ class Autosave(QObject):
         self._writer.done.connect(lambda *_: setattr(self, "_working", True))
         self._writer.failed.connect(self._on_failed)
         session.document_changed.connect(self._on_document_changed)
+
+    def set_pause(self, seconds: float) -> None:
+        """Wait so long after a change; what is already waiting keeps its time."""
+        self._timer.setInterval(round(1000 * seconds))
 
     def save(self) -> None:
         """Write the draft now."""

@@ -16,6 +16,7 @@ from ui.projects.drops import Drops
 from ui.projects.recent import Recent
 from ui.projects.recovery_dialog import RecoveryDialog
 from ui.projects.versions import Version, short_date
+from ui.projects.watch import FileWatch
 from ui.projects.windows import open_window
 from ui.session import Session
 from ui.words import told, tr
@@ -46,6 +47,7 @@ class Desk(QObject):
         self.backups = Backups(data / "backups") if data else None
         self._recovery_folder = data / "recovery" if data else None
         self.autosave = Autosave(session, data / "recovery", self) if data else None
+        self.watch = FileWatch(session, window, files, edits, self)
         self.recent.chosen.connect(files.open_path)
         files.file_used.connect(self.recent.add)
         files.saved.connect(self._on_saved)

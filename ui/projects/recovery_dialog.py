@@ -9,6 +9,7 @@ from PySide6.QtWidgets import (
     QDialogButtonBox,
     QHeaderView,
     QLabel,
+    QMessageBox,
     QPushButton,
     QTreeWidget,
     QTreeWidgetItem,
@@ -132,7 +133,7 @@ class RecoveryDialog(QDialog):
 
     def _on_discard(self) -> None:
         one = self._current()
-        if one is None:
+        if one is None or not self._sure(one):
             return
         row = self._left.index(one)
         self._left.remove(one)
@@ -141,6 +142,18 @@ class RecoveryDialog(QDialog):
         self._show_details()
         if not self._left:
             self.accept()
+
+    def _sure(self, one: Abandoned) -> bool:
+        answers = QMessageBox.StandardButton
+        box = QMessageBox(
+            QMessageBox.Icon.Question,
+            tr("Discard recovered"),
+            tr("Forget the unsaved edits of “{name}” for good?", name=one.snapshot.title),
+            answers.Discard | answers.Cancel,
+            self,
+        )
+        box.setDefaultButton(answers.Cancel)
+        return box.exec() == answers.Discard
 
     def _on_finished(self, _result: int) -> None:
         for one in self._left:

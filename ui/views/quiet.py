@@ -1,11 +1,10 @@
-"""Choices and sliders that the wheel passes by, so that scrolling never changes a value."""
+"""Choices and sliders with a name, a tip and one signal for what the user does."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 
 from PySide6.QtCore import QSignalBlocker, Qt, Signal
-from PySide6.QtGui import QWheelEvent
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QSlider, QWidget
 
 
@@ -36,9 +35,6 @@ class QuietChoice(QComboBox):
         with QSignalBlocker(self):
             self.setCurrentIndex(max(self.findData(identifier), 0))
 
-    def wheelEvent(self, event: QWheelEvent) -> None:
-        event.ignore()
-
 
 class QuietSlider(QWidget):
     """A whole number on a slider, with its value beside it.
@@ -54,7 +50,7 @@ class QuietSlider(QWidget):
     def __init__(self, low: int, high: int, pattern: str, name: str, tip: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._pattern = pattern
-        self.slider = _Slider(Qt.Orientation.Horizontal, self, minimum=low, maximum=high)
+        self.slider = QSlider(Qt.Orientation.Horizontal, self, minimum=low, maximum=high)
         self.slider.setAccessibleName(name)
         self.setToolTip(tip)
         self.slider.setToolTip(tip)
@@ -77,8 +73,3 @@ class QuietSlider(QWidget):
     def _on_changed(self, value: int) -> None:
         self._label.setText(self._pattern.format(value))
         self.moved.emit(value)
-
-
-class _Slider(QSlider):
-    def wheelEvent(self, event: QWheelEvent) -> None:
-        event.ignore()
