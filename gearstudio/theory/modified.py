@@ -207,6 +207,17 @@ def azimuth_shift_slope(
     return np.asarray(-side * relief.derivatives(rho, polar_angle)[2] * _lever_inverse(member, rho)[0])
 
 
+def azimuth_shift_slope_at_place(
+    member: MemberGeometry, side: int, relief: FlankRelief, rho: ArrayLike, polar_angle: ArrayLike
+) -> Floats:
+    """Derivative of `azimuth_shift` by the polar angle at a place along the face: the cone distance varies with it."""
+    rho, polar_angle = np.asarray(rho, dtype=np.float64), np.asarray(polar_angle, dtype=np.float64)
+    e, by_rho, by_angle, *_ = relief.derivatives(rho, polar_angle)
+    g, g_1, _ = _lever_inverse(member, rho)
+    widening = 0.0 if member.ends == "sphere" else rho * np.tan(polar_angle - member.pitch_angle)
+    return np.asarray(-side * (by_angle * g + (by_rho * g + e * g_1) * widening))
+
+
 def _lever_inverse(member: MemberGeometry, rho: ArrayLike) -> tuple[Floats, Floats, Floats]:
     """g = sqrt(1/(rho sin delta_b)^2 + theta'^2) [rad/mm], with two derivatives by rho."""
     rho = np.asarray(rho, dtype=np.float64)

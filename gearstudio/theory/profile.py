@@ -18,7 +18,7 @@ from gearstudio.theory.cones import ConeLimit, MemberGeometry
 from gearstudio.theory.flank_protocol import Flank
 from gearstudio.theory.hypoid.profile import hypoid_profile
 from gearstudio.theory.involute import azimuth_from_arc, involute_azimuth, polar_angle, roll_arc
-from gearstudio.theory.modified import azimuth_shift, azimuth_shift_slope, flank_on, relief_on
+from gearstudio.theory.modified import azimuth_shift, azimuth_shift_slope_at_place, flank_on, relief_on
 from gearstudio.theory.section import Profile, Segment, Shift, faded, off_circle
 
 Floats = NDArray[np.float64]
@@ -128,18 +128,20 @@ class ToothProfile:
         """By how much micro-geometry turns the profile of one side [rad], at cone distances and polar angles.
 
         Above the foot of the flank it is the flank's own; below, in fillet and meridian, it goes on with the same
-        value and slope and fades out, slope included, at the root. Turning about the axis by a smooth function of the
-        place leaves faces tangent that were tangent.
+        value and slope at its place along the face and fades out, slope included, at the root. Turning about the axis
+        by a smooth function of the place leaves faces tangent that were tangent.
         """
         rho, delta = np.broadcast_arrays(np.asarray(rho, dtype=np.float64), np.asarray(delta, dtype=np.float64))
         m, relief = self.member, relief_on(self.member, side)
         if relief is None:
             return np.zeros(rho.shape)
         top = m.base_angle if self.fillet.on_meridian else self.fillet.foot_angle
-        value = azimuth_shift(m, side, relief, rho, np.maximum(delta, top))
+        above = np.maximum(delta, top)
+        rho = m.cone_distance(m.end_distance(rho, delta), above)
+        value = azimuth_shift(m, side, relief, rho, above)
         if not np.any(delta < top):
             return value
-        slope = azimuth_shift_slope(m, side, relief, rho, np.full_like(delta, top))
+        slope = azimuth_shift_slope_at_place(m, side, relief, rho, above)
         return faded(value, slope, delta, np.asarray(m.root_angle), np.asarray(top))
 
     @property
