@@ -20,7 +20,8 @@ from OCP.TopoDS import TopoDS, TopoDS_Edge, TopoDS_Face, TopoDS_Shape
 
 Floats = NDArray[np.float64]
 
-_INTEGRATION_ERROR = 1e-8
+_INTEGRATION_ERROR = 1e-6
+"""Relative, by the kernel's own estimate; the results are ten times closer and more."""
 _GAP_SAMPLES = 23
 
 
@@ -41,7 +42,7 @@ class SolidCheck:
     inertia : ndarray, shape (3, 3)
         About the centre of mass for unit density [mm^5].
     box : ndarray, shape (2, 3)
-        Least and greatest coordinates [mm].
+        Least and greatest coordinates of the faces' poles [mm].
     """
 
     valid: bool
@@ -58,7 +59,7 @@ class SolidCheck:
 def check_solid(shape: TopoDS_Shape) -> SolidCheck:
     """Run the kernel's full check and integrate volume, area and inertia."""
     volume, area = _volume(shape), GProp_GProps()
-    BRepGProp.SurfaceProperties_s(shape, area)
+    BRepGProp.SurfaceProperties_s(shape, area, _INTEGRATION_ERROR, False)
     centre, matrix = volume.CentreOfMass(), volume.MatrixOfInertia()
     shells = _parts(shape, TopAbs_ShapeEnum.TopAbs_SHELL)
     return SolidCheck(
@@ -129,9 +130,9 @@ def is_valid(shape: TopoDS_Shape) -> bool:
 
 
 def bounding_box(shape: TopoDS_Shape) -> Floats:
-    """Least and greatest coordinates [mm], shape (2, 3)."""
+    """Least and greatest coordinates of the poles of its faces [mm], shape (2, 3): quick, and hardly too large."""
     box = Bnd_Box()
-    BRepBndLib.AddOptimal_s(shape, box, False, False)
+    BRepBndLib.Add_s(shape, box, False)
     low, high = box.CornerMin(), box.CornerMax()
     return np.array([[low.X(), low.Y(), low.Z()], [high.X(), high.Y(), high.Z()]])
 

@@ -21,7 +21,7 @@ from gearstudio.theory.chamfer import end_chamfers
 from gearstudio.theory.cones import MemberGeometry, pair_geometry
 
 CONSTRUCTIONS = ("assemble", "cut")
-_RADIUS_SHARE = 1e-5
+_SIZE_SHARE = 1e-5
 _BUILT = {"assemble": 0.3, "cut": 0.8}
 
 
@@ -44,13 +44,13 @@ class Gear:
 def target_of(design: Design, member: MemberGeometry) -> Target:
     """What the optimised variants of a design have to reach.
 
-    At most a share of the radius: else the volume of a small gear misses theory by over 1e-6.
+    At most a share of radius and face width: else the volume of a small gear misses theory by over 1e-6.
     """
     target = Target.for_cone_distance(
         design.methods.tolerance_um, member.outer_cone_distance, design.methods.point_cloud_degree
     )
-    radius = member.outer_cone_distance * math.sin(member.pitch_angle)
-    return replace(target, tolerance=min(target.tolerance, _RADIUS_SHARE * radius))
+    size = min(member.outer_cone_distance * math.sin(member.pitch_angle), member.face_width)
+    return replace(target, tolerance=min(target.tolerance, _SIZE_SHARE * size))
 
 
 def blank_sizes(design: Design, member: str) -> BlankSizes:
