@@ -5,8 +5,11 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from gearstudio.design import Design
+from gearstudio.theory.cones import pair_geometry
 from gearstudio.theory.flank import FLANKS, involute_flank
 from gearstudio.theory.involute import roll_arc
+from gearstudio.theory.modified import flank_of
 from tests.ui.made_up import DESIGNS, member_of, result_of, scene_layers
 from ui import colormap
 from ui.camera import VIEWS, Camera, Focus, view
@@ -246,3 +249,12 @@ class TestColors:
     )
     def test_deviations_read_well(self, value, text):
         assert colormap.deviation_text(value) == text
+
+
+def test_the_tooth_is_drawn_with_its_micro_geometry():
+    given = {"modifications": {"wheel": {"concave": {"lengthwise_crowning_um": 100.0}}}}
+    member = pair_geometry(Design.model_validate(given)).wheel
+    whole = by_key(member_layers(member))["tooth/whole"]
+    for name in FLANKS:
+        drawn_on = np.abs(flank_of(member, name).deviation(whole.points)) < 1e-9
+        assert np.count_nonzero(drawn_on) > 300, name
