@@ -79,9 +79,9 @@ class ConjugateSide:
         return self.whole.relief if isinstance(self.whole, ModifiedConjugate) else None
 
     def turn(self, rho: Floats, delta: Floats) -> tuple[Floats, Floats]:
-        """See `FilletSide`; the slope is a difference."""
-        low, here, high = (self._turn(rho, delta + k * _STEP) for k in (-1, 0, 1))
-        return here, (high - low) / (2 * _STEP)
+        """See `FilletSide`; the slope is a difference upwards, for below the foot there may be no flank."""
+        here, above, beyond = (self._turn(rho, delta + k * _STEP) for k in range(3))
+        return here, (4 * above - 3 * here - beyond) / (2 * _STEP)
 
     def _turn(self, rho: Floats, delta: Floats) -> Floats:
         assert self.relief is not None
