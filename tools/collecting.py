@@ -31,6 +31,9 @@ _NO_TITLE = re.compile(r"^(Ctrl|Shift|Alt)\+|;;.*\*|^[\w.]*_[\w.]*$|Keys\.|::|^[
 _SENTENCE = re.compile(r"[a-z]{2,}[,;:]? +\{?[a-z(]|^[a-z]+ \{0\}")
 _NO_SENTENCE = re.compile(r"[\\<>\n]|^%|\d+ of theory \[|=\s*\{0\}$|^[^a-z]*$")
 _NAME = re.compile(r"\{[a-z_]+\}")
+_FUNCTION = re.compile(r"arc(cos|sin|tan)|half|z_mate|γ_mate|_tip")
+_IN_WORDS = re.compile(r"[a-z]{4,}")
+"""A formula that is said in words, at least in part."""
 _MORE_SENTENCES = {"{0}: {1} failed: {2}"}
 """Of errors that are put together with few words."""
 
@@ -72,8 +75,11 @@ def table_words() -> set[str]:
         found |= {section.title, section.summary}
     for option in OPTIONS.values():
         found |= {option.title, option.help, *(title for _, title in option.choices)}
-    for quantity in data_sheet(Design()).quantities:
-        found |= {quantity.name, quantity.group}
+    for design in (Design(), *(preset.design for preset in PRESETS)):
+        for quantity in data_sheet(design).quantities:
+            found |= {quantity.name, quantity.group}
+            if _IN_WORDS.search(_FUNCTION.sub("", quantity.formula)):
+                found.add(quantity.formula)
     for check in self_check():
         found |= {check.source, *check.name.split(": ")}
     return {text for text in found if re.search("[A-Za-z]{2}", text)}

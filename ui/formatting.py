@@ -32,6 +32,7 @@ CHOICE_TITLES = {
     "constant_clearance": "Constant clearance",
     "back_cone": "Back cones",
     "sphere": "Spheres",
+    "iso23509": "ISO 23509",
 }
 
 

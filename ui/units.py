@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 from typing import Literal
 
 from ui.formatting import fixed, number_text
+from ui.words import tr
 
 LengthUnit = Literal["mm", "in"]
 MM_PER_INCH = 25.4
@@ -89,5 +90,5 @@ def with_unit(value: float, unit: str, decimals: int = 3) -> str:
 
 def spaced(unit: str) -> str:
     """The unit shown with the space that goes before it."""
-    shown = unit_shown(unit)
+    shown = tr(unit_shown(unit))
     return shown if shown in ("", "°") else f" {shown}"

@@ -37,6 +37,7 @@ WORDS = (
     noted("number"),
     noted("flanks"),
     noted("tooth"),
+    noted("teeth"),
     noted("fillet"),
     noted("rotating_line"),
     noted("profile_sweep"),

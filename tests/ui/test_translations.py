@@ -175,7 +175,7 @@ def _is_left(text: str) -> bool:
         bare = shorter
     bare = re.sub(r"\((Ctrl|Shift|Alt|Esc|F\d)[^)]*\)|\([A-Z]\w*\)", " ", bare)
     bare = re.sub(
-        r"GearStudio|Deutsch|English|\b[a-z_]+\.[a-z_.]+\b|\b(cos|sin|tan|atan2|arctan|arcsin|ISO|hand|half|share|lim)\b",
+        r"GearStudio|Deutsch|English|\b[a-z_]+\.[a-z_.]+\b|\b(cos|sin|tan|atan2|arctan|arcsin|ISO|hand\w?|half|share|lim)\b",
         " ",
         bare,
     )

@@ -61,7 +61,7 @@ def explanation(line: tuple[Quantity, ...]) -> str:
     first, muted = line[0], tokens().muted
     parts = [
         f'<p style="margin:0 0 4px 0"><b>{escape(tr(first.name))}</b></p>',
-        f'<p style="margin:4px 0; font-size:large">{lowered(first.formula)}</p>',
+        f'<p style="margin:4px 0; font-size:large">{lowered(tr(first.formula))}</p>',
         f'<p style="margin:0 0 8px 0; color:{muted}">{where(first.equation)}</p>',
     ]
     for quantity in line:

@@ -348,6 +348,10 @@
    <translation>Hinterachsübersetzung mit kleiner Ritzelzähnezahl: starke Profilverschiebung, gleichbleibendes Kopfspiel, etwas Flankenspiel</translation>
   </message>
   <message>
+   <source>A reference: the pinion's flanks as involutes on base cones of their own</source>
+   <translation>Zum Vergleich: Ritzelflanken als Evolventen auf eigenen Grundkegeln</translation>
+  </message>
+  <message>
    <source>A round length; in perspective, of what is in the middle</source>
    <translation>Eine runde Länge; in Perspektive gilt sie in der Mitte</translation>
   </message>
@@ -536,6 +540,10 @@
    <translation>Wie in der Arbeit, oder verfeinert bis zur Toleranz</translation>
   </message>
   <message>
+   <source>As the standard's recursion has it</source>
+   <translation>Wie in der Rekursion der Norm</translation>
+  </message>
+  <message>
    <source>As the system</source>
    <translation>Wie das System</translation>
   </message>
@@ -634,6 +642,14 @@
   <message>
    <source>Base angle</source>
    <translation>Grundkegelwinkel</translation>
+  </message>
+  <message>
+   <source>Base angle, coast flank</source>
+   <translation>Grundkegelwinkel, Schubflanke</translation>
+  </message>
+  <message>
+   <source>Base angle, drive flank</source>
+   <translation>Grundkegelwinkel, Zugflanke</translation>
   </message>
   <message>
    <source>Base cone</source>
@@ -912,6 +928,10 @@
    <translation>Durchsichtig, wo nichts ist; für Folien und Aufsätze</translation>
   </message>
   <message>
+   <source>Clearance</source>
+   <translation>Kopfspiel</translation>
+  </message>
+  <message>
    <source>Clearance factor</source>
    <translation>Kopfspielfaktor</translation>
   </message>
@@ -1100,6 +1120,10 @@
    <translation>Kegel</translation>
   </message>
   <message>
+   <source>Conjugate</source>
+   <translation>Konjugiert</translation>
+  </message>
+  <message>
    <source>Constant clearance</source>
    <translation>Gleichbleibendes Kopfspiel</translation>
   </message>
@@ -1266,6 +1290,10 @@
   <message>
    <source>Crown to apex</source>
    <translation>Kopfkante zur Spitze</translation>
+  </message>
+  <message>
+   <source>Crown to crossing point</source>
+   <translation>Kopfkante zum Kreuzungspunkt</translation>
   </message>
   <message>
    <source>Curvature</source>
@@ -1720,6 +1748,14 @@
    <translation>Zahnbreitenfaktor</translation>
   </message>
   <message>
+   <source>Face width from mean point to heel</source>
+   <translation>Breite Mittelpunkt bis Ferse</translation>
+  </message>
+  <message>
+   <source>Face width from mean point to toe</source>
+   <translation>Breite Mittelpunkt bis Zehe</translation>
+  </message>
+  <message>
    <source>Face width over outer cone distance; a face width in mm wins over it.</source>
    <translation>Zahnbreite durch äußere Teilkegellänge; eine Zahnbreite in mm hat Vorrang.</translation>
   </message>
@@ -1820,6 +1856,10 @@
    <translation>Flanken eines Zahns</translation>
   </message>
   <message>
+   <source>Flanks of the pinion</source>
+   <translation>Flanken des Ritzels</translation>
+  </message>
+  <message>
    <source>Flat: the flanks are conjugate</source>
    <translation>Eben: die Flanken sind konjugiert</translation>
   </message>
@@ -1910,6 +1950,10 @@
   <message>
    <source>Front crown to apex</source>
    <translation>Vordere Kopfkante zur Spitze</translation>
+  </message>
+  <message>
+   <source>Front crown to crossing point</source>
+   <translation>Vordere Kopfkante zum Kreuzungspunkt</translation>
   </message>
   <message>
    <source>G  wheel axial</source>
@@ -2136,6 +2180,10 @@
    <translation>Nabenlänge</translation>
   </message>
   <message>
+   <source>Hypoid offset</source>
+   <translation>Achsversatz</translation>
+  </message>
+  <message>
    <source>Hypoid, all-wheel drive at 80°</source>
    <translation>Hypoid, Allradantrieb bei 80°</translation>
   </message>
@@ -2162,6 +2210,10 @@
   <message>
    <source>IGES unit</source>
    <translation>IGES-Einheit</translation>
+  </message>
+  <message>
+   <source>ISO 23509</source>
+   <translation>ISO 23509</translation>
   </message>
   <message>
    <source>ISO 23509:2016, sample F.2, spiral bevel pair 14/39</source>
@@ -2212,16 +2264,16 @@
    <translation>Innerer Fußkreisdurchmesser</translation>
   </message>
   <message>
+   <source>Inner spiral angle</source>
+   <translation>Innerer Spiralwinkel</translation>
+  </message>
+  <message>
    <source>Inner tip diameter</source>
    <translation>Innerer Kopfkreisdurchmesser</translation>
   </message>
   <message>
    <source>Inner whole depth</source>
    <translation>Innere Zahnhöhe</translation>
-  </message>
-  <message>
-   <source>Iso23509</source>
-   <translation>ISO 23509</translation>
   </message>
   <message>
    <source>Isometric</source>
@@ -2234,6 +2286,10 @@
   <message>
    <source>It is kept as {file}.</source>
    <translation>Sie liegt als {file} bereit.</translation>
+  </message>
+  <message>
+   <source>It needs a pair with an offset.</source>
+   <translation>Braucht ein Paar mit Achsversatz.</translation>
   </message>
   <message>
    <source>It needs “{choice}” as {field}.</source>
@@ -2384,6 +2440,10 @@
    <translation>Hell</translation>
   </message>
   <message>
+   <source>Limit pressure angle</source>
+   <translation>Grenzeingriffswinkel</translation>
+  </message>
+  <message>
    <source>Limit pressure angle factor</source>
    <translation>Faktor des Grenzeingriffswinkels</translation>
   </message>
@@ -2468,6 +2528,10 @@
    <translation>Mittlerer Kopfhöhenfaktor</translation>
   </message>
   <message>
+   <source>Mean chordal addendum</source>
+   <translation>Mittlere Höhe über der Sehne</translation>
+  </message>
+  <message>
    <source>Mean clearance</source>
    <translation>Mittleres Kopfspiel</translation>
   </message>
@@ -2482,6 +2546,14 @@
   <message>
    <source>Mean dedendum</source>
    <translation>Mittlere Fußhöhe</translation>
+  </message>
+  <message>
+   <source>Mean normal chordal thickness</source>
+   <translation>Normale Zahndickensehne, Mitte</translation>
+  </message>
+  <message>
+   <source>Mean normal circular thickness</source>
+   <translation>Normale Zahndicke, Mitte</translation>
   </message>
   <message>
    <source>Mean normal module</source>
@@ -2500,12 +2572,20 @@
    <translation>Mittlerer Fußkreisdurchmesser</translation>
   </message>
   <message>
+   <source>Mean spiral angle</source>
+   <translation>Mittlerer Spiralwinkel</translation>
+  </message>
+  <message>
    <source>Mean tip diameter</source>
    <translation>Mittlerer Kopfkreisdurchmesser</translation>
   </message>
   <message>
    <source>Mean whole depth</source>
    <translation>Mittlere Zahnhöhe</translation>
+  </message>
+  <message>
+   <source>Mean working depth</source>
+   <translation>Mittlere gemeinsame Zahnhöhe</translation>
   </message>
   <message>
    <source>Mean, pitch cone</source>
@@ -2594,6 +2674,10 @@
   <message>
    <source>Method</source>
    <translation>Methode</translation>
+  </message>
+  <message>
+   <source>Method 1 as written; Method 0 without an offset</source>
+   <translation>Methode 1 wie geschrieben; ohne Achsversatz Methode 0</translation>
   </message>
   <message>
    <source>Method comparison</source>
@@ -2716,6 +2800,14 @@
    <translation>Zahndicke im Normalschnitt, Mitte</translation>
   </message>
   <message>
+   <source>Normal pressure angle, coast flank</source>
+   <translation>Normaleingriffswinkel, Schubflanke</translation>
+  </message>
+  <message>
+   <source>Normal pressure angle, drive flank</source>
+   <translation>Normaleingriffswinkel, Zugflanke</translation>
+  </message>
+  <message>
    <source>Normal pressure angle, mean point</source>
    <translation>Normaleingriffswinkel, Mittelpunkt</translation>
   </message>
@@ -2798,6 +2890,26 @@
   <message>
    <source>Offset</source>
    <translation>Achsversatz</translation>
+  </message>
+  <message>
+   <source>Offset angle, axial plane</source>
+   <translation>Versatzwinkel, Axialebene</translation>
+  </message>
+  <message>
+   <source>Offset angle, face plane</source>
+   <translation>Versatzwinkel, Kopfebene</translation>
+  </message>
+  <message>
+   <source>Offset angle, pitch plane</source>
+   <translation>Versatzwinkel, Teilebene</translation>
+  </message>
+  <message>
+   <source>Offset angle, root plane</source>
+   <translation>Versatzwinkel, Fußebene</translation>
+  </message>
+  <message>
+   <source>Offset in the pitch plane</source>
+   <translation>Versatz in der Teilebene</translation>
   </message>
   <message>
    <source>On by a twelfth of a tooth</source>
@@ -2948,12 +3060,20 @@
    <translation>Äußerer Fußkreisdurchmesser</translation>
   </message>
   <message>
+   <source>Outer spiral angle</source>
+   <translation>Äußerer Spiralwinkel</translation>
+  </message>
+  <message>
    <source>Outer tip diameter</source>
    <translation>Äußerer Kopfkreisdurchmesser</translation>
   </message>
   <message>
    <source>Outer transverse module</source>
    <translation>Äußerer Stirnmodul</translation>
+  </message>
+  <message>
+   <source>Outer transverse module of the wheel</source>
+   <translation>Äußerer Stirnmodul des Rads</translation>
   </message>
   <message>
    <source>Outer transverse module: heel pitch diameter over teeth.</source>
@@ -2966,6 +3086,10 @@
   <message>
    <source>Overlap ratio</source>
    <translation>Sprungüberdeckung</translation>
+  </message>
+  <message>
+   <source>Own base cone</source>
+   <translation>Eigener Grundkegel</translation>
   </message>
   <message>
    <source>P  pinion axial</source>
@@ -3090,6 +3214,10 @@
   <message>
    <source>Pitch angle</source>
    <translation>Teilkegelwinkel</translation>
+  </message>
+  <message>
+   <source>Pitch apex beyond crossing point</source>
+   <translation>Teilkegelspitze über dem Kreuzungspunkt</translation>
   </message>
   <message>
    <source>Pitch cone</source>
@@ -3268,6 +3396,10 @@
    <translation>Profilverschiebung</translation>
   </message>
   <message>
+   <source>Profile shift coefficient</source>
+   <translation>Profilverschiebungsbeiwert</translation>
+  </message>
+  <message>
    <source>Profile shift factor</source>
    <translation>Profilverschiebungsfaktor</translation>
   </message>
@@ -3330,6 +3462,22 @@
   <message>
    <source>Quantity</source>
    <translation>Größe</translation>
+  </message>
+  <message>
+   <source>R_e from the pitch apex</source>
+   <translation>R_e ab der Teilkegelspitze</translation>
+  </message>
+  <message>
+   <source>R_f as asked, or of the full-round root</source>
+   <translation>R_f wie verlangt, oder des vollgerundeten Fußes</translation>
+  </message>
+  <message>
+   <source>R_i from the pitch apex</source>
+   <translation>R_i ab der Teilkegelspitze</translation>
+  </message>
+  <message>
+   <source>R_m from the pitch apex</source>
+   <translation>R_m ab der Teilkegelspitze</translation>
   </message>
   <message>
    <source>Radial</source>
@@ -4206,6 +4354,10 @@
    <translation>Die konvexe Flanke des Ritzels führt</translation>
   </message>
   <message>
+   <source>The pinion's flanks as the wheel makes them</source>
+   <translation>Ritzelflanken, wie das Rad sie erzeugt</translation>
+  </message>
+  <message>
    <source>The pitch cones of two gears with crossing axes roll on each other; z' are the mate's teeth. For a right angle it is the paper's arctan z / z'.</source>
    <translation>Die Teilkegel zweier Räder mit sich schneidenden Achsen rollen aufeinander; z' sind die Zähne des Gegenrads. Beim rechten Winkel ist es arctan z / z' der Arbeit.</translation>
   </message>
@@ -4380,6 +4532,10 @@
   <message>
    <source>Thickness factor</source>
    <translation>Zahndickenfaktor</translation>
+  </message>
+  <message>
+   <source>Thickness modification coefficient</source>
+   <translation>Zahndickenbeiwert</translation>
   </message>
   <message>
    <source>Thickness of the marking compound: where the gap is less, it is wiped off</source>
@@ -4854,6 +5010,18 @@
    <translation>Ganzes Rad</translation>
   </message>
   <message>
+   <source>With an offset the pressure angle is the normal one.</source>
+   <translation>Mit Achsversatz gilt der Normaleingriffswinkel.</translation>
+  </message>
+  <message>
+   <source>With an offset the spiral angle is given at the mean point.</source>
+   <translation>Mit Achsversatz gilt der Spiralwinkel im Mittelpunkt.</translation>
+  </message>
+  <message>
+   <source>With an offset the tips run parallel to the mate's root: no apex is common.</source>
+   <translation>Mit Achsversatz läuft der Kopf parallel zum Fuß des Gegenrads: es gibt keine gemeinsame Spitze.</translation>
+  </message>
+  <message>
    <source>With the camera</source>
    <translation>Mit der Kamera</translation>
   </message>
@@ -4954,6 +5122,10 @@
    <translation>höchstens {high}</translation>
   </message>
   <message>
+   <source>at this cone distance</source>
+   <translation>bei dieser Kegellänge</translation>
+  </message>
+  <message>
    <source>axial face width</source>
    <translation>axiale Zahnbreite</translation>
   </message>
@@ -4994,8 +5166,28 @@
    <translation>wird gebaut…</translation>
   </message>
   <message>
+   <source>by the taper</source>
+   <translation>aus der Verjüngung</translation>
+  </message>
+  <message>
+   <source>c_e = h_fe − h_ae of the mate</source>
+   <translation>c_e = h_fe − h_ae des Gegenrads</translation>
+  </message>
+  <message>
+   <source>c_i = h_fi − h_ai of the mate</source>
+   <translation>c_i = h_fi − h_ai des Gegenrads</translation>
+  </message>
+  <message>
+   <source>c_m = h_fm − h_am of the mate</source>
+   <translation>c_m = h_fm − h_am des Gegenrads</translation>
+  </message>
+  <message>
    <source>coast</source>
    <translation>Schub</translation>
+  </message>
+  <message>
+   <source>common apex: tan θ_a = h_ae/R_e; constant clearance: θ_a = θ_f of the mate</source>
+   <translation>gemeinsame Spitze: tan θ_a = h_ae/R_e; gleichbleibendes Kopfspiel: θ_a = θ_f des Gegenrads</translation>
   </message>
   <message>
    <source>computing the curvature…</source>
@@ -5066,8 +5258,16 @@
    <translation>gleichmäßig</translation>
   </message>
   <message>
+   <source>exact: tangent pitch cones, ρ_lim = r_c0</source>
+   <translation>exakt: berührende Teilkegel, ρ_lim = r_c0</translation>
+  </message>
+  <message>
    <source>face angle</source>
    <translation>Kopfkegelwinkel</translation>
+  </message>
+  <message>
+   <source>face cone's apex</source>
+   <translation>Spitze des Kopfkegels</translation>
   </message>
   <message>
    <source>fillet</source>
@@ -5096,6 +5296,22 @@
   <message>
    <source>gear</source>
    <translation>Rad</translation>
+  </message>
+  <message>
+   <source>given</source>
+   <translation>gegeben</translation>
+  </message>
+  <message>
+   <source>given for the pinion; x₂ = −x₁</source>
+   <translation>für das Ritzel gegeben; x₂ = −x₁</translation>
+  </message>
+  <message>
+   <source>given for the wheel</source>
+   <translation>für das Rad gegeben</translation>
+  </message>
+  <message>
+   <source>given, or as a part of R_e</source>
+   <translation>gegeben, oder als Teil von R_e</translation>
   </message>
   <message>
    <source>grid</source>
@@ -5282,6 +5498,14 @@
    <translation>Teilkegelwinkel</translation>
   </message>
   <message>
+   <source>plane that touches the wheel's face cone</source>
+   <translation>Ebene am Kopfkegel des Rads</translation>
+  </message>
+  <message>
+   <source>plane that touches the wheel's root cone</source>
+   <translation>Ebene am Fußkegel des Rads</translation>
+  </message>
+  <message>
    <source>point_cloud</source>
    <translation>Punktwolke</translation>
   </message>
@@ -5342,6 +5566,10 @@
    <translation>Fußkegelwinkel</translation>
   </message>
   <message>
+   <source>root cone's apex</source>
+   <translation>Spitze des Fußkegels</translation>
+  </message>
+  <message>
    <source>rotating_line</source>
    <translation>Rollende Gerade</translation>
   </message>
@@ -5382,6 +5610,10 @@
    <translation>Abstände</translation>
   </message>
   <message>
+   <source>square to the pitch cone</source>
+   <translation>rechtwinklig zum Teilkegel</translation>
+  </message>
+  <message>
    <source>surfaces</source>
    <translation>Flächen</translation>
   </message>
@@ -5396,6 +5628,10 @@
   <message>
    <source>taking pictures of the views</source>
    <translation>Bilder der Ansichten werden aufgenommen</translation>
+  </message>
+  <message>
+   <source>teeth</source>
+   <translation>Zähne</translation>
   </message>
   <message>
    <source>text</source>
@@ -5462,6 +5698,18 @@
    <translation>Dreiecke, zum Drucken</translation>
   </message>
   <message>
+   <source>turn of contact over the face at half the depth, over the pitch</source>
+   <translation>Drehung des Kontakts über die Breite in halber Höhe, durch die Teilung</translation>
+  </message>
+  <message>
+   <source>turn of contact over the profile in the middle of the face, over the pitch</source>
+   <translation>Drehung des Kontakts über das Profil in Breitenmitte, durch die Teilung</translation>
+  </message>
+  <message>
+   <source>turn of contact over the whole flank, over the pitch</source>
+   <translation>Drehung des Kontakts über die ganze Flanke, durch die Teilung</translation>
+  </message>
+  <message>
    <source>updating…</source>
    <translation>wird erneuert…</translation>
   </message>
@@ -5496,6 +5744,10 @@
   <message>
    <source>wheel</source>
    <translation>Rad</translation>
+  </message>
+  <message>
+   <source>with the backlash's share</source>
+   <translation>mit dem Anteil des Flankenspiels</translation>
   </message>
   <message>
    <source>writing…</source>
@@ -5682,6 +5934,10 @@ Ein Ende ziehen ändert den Bereich, Doppelklick gibt ihn ein. Grau: kein Wert</
   <message>
    <source>Σ  shaft angle</source>
    <translation>Σ  Achsenwinkel</translation>
+  </message>
+  <message>
+   <source>γ + γ_mate − arccos(cos δ_a/cos δ_b) of the mate</source>
+   <translation>γ + γ_mate − arccos(cos δ_a/cos δ_b) des Gegenrads</translation>
   </message>
   <message>
    <source>“{command}”: usual keys {keys}</source>
@@ -6477,6 +6733,10 @@ Ein Ende ziehen ändert den Bereich, Doppelklick gibt ihn ein. Grau: kein Wert</
   <message>
    <source>the {0} of a pair with {1}</source>
    <translation>das {0} eines Paars mit {1}</translation>
+  </message>
+  <message>
+   <source>the {0}'s flanks are up to {1} µm from those of the design, which a rotating line cannot sweep; the faces are held against the flanks that it does sweep</source>
+   <translation>die Flanken am {0} liegen bis {1} µm von denen des Entwurfs, die eine rollende Gerade nicht überstreicht; geprüft wird gegen die, die sie überstreicht</translation>
   </message>
   <message>
    <source>the {0}'s teeth are pointed ({1} mm at the tip); {2}</source>

@@ -348,6 +348,10 @@
    <translation>后桥传动比，小轮齿数少：变位大、等顶隙、少量侧隙</translation>
   </message>
   <message>
+   <source>A reference: the pinion's flanks as involutes on base cones of their own</source>
+   <translation>参考：小轮齿面为各自基锥上的渐开线</translation>
+  </message>
+  <message>
    <source>A round length; in perspective, of what is in the middle</source>
    <translation>取整的长度；透视时以中部为准</translation>
   </message>
@@ -536,6 +540,10 @@
    <translation>同论文，或细化到满足公差</translation>
   </message>
   <message>
+   <source>As the standard's recursion has it</source>
+   <translation>按标准的递推</translation>
+  </message>
+  <message>
    <source>As the system</source>
    <translation>跟随系统</translation>
   </message>
@@ -634,6 +642,14 @@
   <message>
    <source>Base angle</source>
    <translation>基锥角</translation>
+  </message>
+  <message>
+   <source>Base angle, coast flank</source>
+   <translation>基锥角，反驱动面</translation>
+  </message>
+  <message>
+   <source>Base angle, drive flank</source>
+   <translation>基锥角，正驱动面</translation>
   </message>
   <message>
    <source>Base cone</source>
@@ -912,6 +928,10 @@
    <translation>空白处透明；用于幻灯片和论文</translation>
   </message>
   <message>
+   <source>Clearance</source>
+   <translation>顶隙</translation>
+  </message>
+  <message>
    <source>Clearance factor</source>
    <translation>顶隙系数</translation>
   </message>
@@ -1100,6 +1120,10 @@
    <translation>锥体</translation>
   </message>
   <message>
+   <source>Conjugate</source>
+   <translation>共轭</translation>
+  </message>
+  <message>
    <source>Constant clearance</source>
    <translation>等顶隙</translation>
   </message>
@@ -1266,6 +1290,10 @@
   <message>
    <source>Crown to apex</source>
    <translation>轮冠距</translation>
+  </message>
+  <message>
+   <source>Crown to crossing point</source>
+   <translation>轮冠至交错点</translation>
   </message>
   <message>
    <source>Curvature</source>
@@ -1720,6 +1748,14 @@
    <translation>齿宽系数</translation>
   </message>
   <message>
+   <source>Face width from mean point to heel</source>
+   <translation>中点至大端齿宽</translation>
+  </message>
+  <message>
+   <source>Face width from mean point to toe</source>
+   <translation>中点至小端齿宽</translation>
+  </message>
+  <message>
    <source>Face width over outer cone distance; a face width in mm wins over it.</source>
    <translation>齿宽与外锥距之比；若给出 mm 齿宽则以其为准。</translation>
   </message>
@@ -1820,6 +1856,10 @@
    <translation>单齿齿面</translation>
   </message>
   <message>
+   <source>Flanks of the pinion</source>
+   <translation>小轮齿面</translation>
+  </message>
+  <message>
    <source>Flat: the flanks are conjugate</source>
    <translation>平坦：齿面共轭</translation>
   </message>
@@ -1910,6 +1950,10 @@
   <message>
    <source>Front crown to apex</source>
    <translation>小端轮冠距</translation>
+  </message>
+  <message>
+   <source>Front crown to crossing point</source>
+   <translation>小端轮冠至交错点</translation>
   </message>
   <message>
    <source>G  wheel axial</source>
@@ -2136,6 +2180,10 @@
    <translation>轮毂长度</translation>
   </message>
   <message>
+   <source>Hypoid offset</source>
+   <translation>准双曲面偏置</translation>
+  </message>
+  <message>
    <source>Hypoid, all-wheel drive at 80°</source>
    <translation>准双曲面，80° 全轮驱动</translation>
   </message>
@@ -2162,6 +2210,10 @@
   <message>
    <source>IGES unit</source>
    <translation>IGES 单位</translation>
+  </message>
+  <message>
+   <source>ISO 23509</source>
+   <translation>ISO 23509</translation>
   </message>
   <message>
    <source>ISO 23509:2016, sample F.2, spiral bevel pair 14/39</source>
@@ -2212,16 +2264,16 @@
    <translation>小端根圆直径</translation>
   </message>
   <message>
+   <source>Inner spiral angle</source>
+   <translation>小端螺旋角</translation>
+  </message>
+  <message>
    <source>Inner tip diameter</source>
    <translation>小端顶圆直径</translation>
   </message>
   <message>
    <source>Inner whole depth</source>
    <translation>小端全齿高</translation>
-  </message>
-  <message>
-   <source>Iso23509</source>
-   <translation>ISO 23509</translation>
   </message>
   <message>
    <source>Isometric</source>
@@ -2234,6 +2286,10 @@
   <message>
    <source>It is kept as {file}.</source>
    <translation>已存为 {file}。</translation>
+  </message>
+  <message>
+   <source>It needs a pair with an offset.</source>
+   <translation>需要有偏置的齿轮副。</translation>
   </message>
   <message>
    <source>It needs “{choice}” as {field}.</source>
@@ -2384,6 +2440,10 @@
    <translation>浅色</translation>
   </message>
   <message>
+   <source>Limit pressure angle</source>
+   <translation>极限压力角</translation>
+  </message>
+  <message>
    <source>Limit pressure angle factor</source>
    <translation>极限压力角系数</translation>
   </message>
@@ -2468,6 +2528,10 @@
    <translation>中点齿顶高系数</translation>
   </message>
   <message>
+   <source>Mean chordal addendum</source>
+   <translation>中点弦齿高</translation>
+  </message>
+  <message>
    <source>Mean clearance</source>
    <translation>中点顶隙</translation>
   </message>
@@ -2482,6 +2546,14 @@
   <message>
    <source>Mean dedendum</source>
    <translation>中点齿根高</translation>
+  </message>
+  <message>
+   <source>Mean normal chordal thickness</source>
+   <translation>中点法向弦齿厚</translation>
+  </message>
+  <message>
+   <source>Mean normal circular thickness</source>
+   <translation>中点法向弧齿厚</translation>
   </message>
   <message>
    <source>Mean normal module</source>
@@ -2500,12 +2572,20 @@
    <translation>中点根圆直径</translation>
   </message>
   <message>
+   <source>Mean spiral angle</source>
+   <translation>中点螺旋角</translation>
+  </message>
+  <message>
    <source>Mean tip diameter</source>
    <translation>中点顶圆直径</translation>
   </message>
   <message>
    <source>Mean whole depth</source>
    <translation>中点全齿高</translation>
+  </message>
+  <message>
+   <source>Mean working depth</source>
+   <translation>中点工作齿高</translation>
   </message>
   <message>
    <source>Mean, pitch cone</source>
@@ -2594,6 +2674,10 @@
   <message>
    <source>Method</source>
    <translation>方法</translation>
+  </message>
+  <message>
+   <source>Method 1 as written; Method 0 without an offset</source>
+   <translation>按方法 1；无偏置时用方法 0</translation>
   </message>
   <message>
    <source>Method comparison</source>
@@ -2716,6 +2800,14 @@
    <translation>法向弧齿厚，中点</translation>
   </message>
   <message>
+   <source>Normal pressure angle, coast flank</source>
+   <translation>法向压力角，反驱动面</translation>
+  </message>
+  <message>
+   <source>Normal pressure angle, drive flank</source>
+   <translation>法向压力角，正驱动面</translation>
+  </message>
+  <message>
    <source>Normal pressure angle, mean point</source>
    <translation>法向压力角，中点</translation>
   </message>
@@ -2798,6 +2890,26 @@
   <message>
    <source>Offset</source>
    <translation>偏置距</translation>
+  </message>
+  <message>
+   <source>Offset angle, axial plane</source>
+   <translation>偏置角，轴平面</translation>
+  </message>
+  <message>
+   <source>Offset angle, face plane</source>
+   <translation>偏置角，面平面</translation>
+  </message>
+  <message>
+   <source>Offset angle, pitch plane</source>
+   <translation>偏置角，节平面</translation>
+  </message>
+  <message>
+   <source>Offset angle, root plane</source>
+   <translation>偏置角，根平面</translation>
+  </message>
+  <message>
+   <source>Offset in the pitch plane</source>
+   <translation>节平面内偏置</translation>
   </message>
   <message>
    <source>On by a twelfth of a tooth</source>
@@ -2948,12 +3060,20 @@
    <translation>大端根圆直径</translation>
   </message>
   <message>
+   <source>Outer spiral angle</source>
+   <translation>大端螺旋角</translation>
+  </message>
+  <message>
    <source>Outer tip diameter</source>
    <translation>大端顶圆直径</translation>
   </message>
   <message>
    <source>Outer transverse module</source>
    <translation>大端端面模数</translation>
+  </message>
+  <message>
+   <source>Outer transverse module of the wheel</source>
+   <translation>大轮大端端面模数</translation>
   </message>
   <message>
    <source>Outer transverse module: heel pitch diameter over teeth.</source>
@@ -2966,6 +3086,10 @@
   <message>
    <source>Overlap ratio</source>
    <translation>轴向重合度</translation>
+  </message>
+  <message>
+   <source>Own base cone</source>
+   <translation>自有基锥</translation>
   </message>
   <message>
    <source>P  pinion axial</source>
@@ -3090,6 +3214,10 @@
   <message>
    <source>Pitch angle</source>
    <translation>节锥角</translation>
+  </message>
+  <message>
+   <source>Pitch apex beyond crossing point</source>
+   <translation>节锥顶至交错点</translation>
   </message>
   <message>
    <source>Pitch cone</source>
@@ -3268,6 +3396,10 @@
    <translation>变位</translation>
   </message>
   <message>
+   <source>Profile shift coefficient</source>
+   <translation>变位系数</translation>
+  </message>
+  <message>
    <source>Profile shift factor</source>
    <translation>变位系数</translation>
   </message>
@@ -3330,6 +3462,22 @@
   <message>
    <source>Quantity</source>
    <translation>量</translation>
+  </message>
+  <message>
+   <source>R_e from the pitch apex</source>
+   <translation>R_e，自节锥顶起</translation>
+  </message>
+  <message>
+   <source>R_f as asked, or of the full-round root</source>
+   <translation>R_f 按要求，或为全圆齿根的</translation>
+  </message>
+  <message>
+   <source>R_i from the pitch apex</source>
+   <translation>R_i，自节锥顶起</translation>
+  </message>
+  <message>
+   <source>R_m from the pitch apex</source>
+   <translation>R_m，自节锥顶起</translation>
   </message>
   <message>
    <source>Radial</source>
@@ -4206,6 +4354,10 @@
    <translation>小轮凸面主动</translation>
   </message>
   <message>
+   <source>The pinion's flanks as the wheel makes them</source>
+   <translation>由大轮生成的小轮齿面</translation>
+  </message>
+  <message>
    <source>The pitch cones of two gears with crossing axes roll on each other; z' are the mate's teeth. For a right angle it is the paper's arctan z / z'.</source>
    <translation>相交轴两轮的节锥相互滚动；z' 为配对轮齿数。直角时即论文的 arctan z / z'。</translation>
   </message>
@@ -4380,6 +4532,10 @@
   <message>
    <source>Thickness factor</source>
    <translation>齿厚系数</translation>
+  </message>
+  <message>
+   <source>Thickness modification coefficient</source>
+   <translation>齿厚修正系数</translation>
   </message>
   <message>
    <source>Thickness of the marking compound: where the gap is less, it is wiped off</source>
@@ -4854,6 +5010,18 @@
    <translation>整个齿轮</translation>
   </message>
   <message>
+   <source>With an offset the pressure angle is the normal one.</source>
+   <translation>有偏置时压力角为法向的。</translation>
+  </message>
+  <message>
+   <source>With an offset the spiral angle is given at the mean point.</source>
+   <translation>有偏置时螺旋角在中点给出。</translation>
+  </message>
+  <message>
+   <source>With an offset the tips run parallel to the mate's root: no apex is common.</source>
+   <translation>有偏置时齿顶平行于配对轮齿根：没有共锥顶。</translation>
+  </message>
+  <message>
    <source>With the camera</source>
    <translation>随相机</translation>
   </message>
@@ -4954,6 +5122,10 @@
    <translation>至多 {high}</translation>
   </message>
   <message>
+   <source>at this cone distance</source>
+   <translation>在此锥距处</translation>
+  </message>
+  <message>
    <source>axial face width</source>
    <translation>轴向齿宽</translation>
   </message>
@@ -4994,8 +5166,28 @@
    <translation>构建中…</translation>
   </message>
   <message>
+   <source>by the taper</source>
+   <translation>由收缩方式</translation>
+  </message>
+  <message>
+   <source>c_e = h_fe − h_ae of the mate</source>
+   <translation>c_e = h_fe − 配对轮 h_ae</translation>
+  </message>
+  <message>
+   <source>c_i = h_fi − h_ai of the mate</source>
+   <translation>c_i = h_fi − 配对轮 h_ai</translation>
+  </message>
+  <message>
+   <source>c_m = h_fm − h_am of the mate</source>
+   <translation>c_m = h_fm − 配对轮 h_am</translation>
+  </message>
+  <message>
    <source>coast</source>
    <translation>反驱动</translation>
+  </message>
+  <message>
+   <source>common apex: tan θ_a = h_ae/R_e; constant clearance: θ_a = θ_f of the mate</source>
+   <translation>共锥顶：tan θ_a = h_ae/R_e；等顶隙：θ_a = 配对轮 θ_f</translation>
   </message>
   <message>
    <source>computing the curvature…</source>
@@ -5066,8 +5258,16 @@
    <translation>均匀</translation>
   </message>
   <message>
+   <source>exact: tangent pitch cones, ρ_lim = r_c0</source>
+   <translation>精确：节锥相切，ρ_lim = r_c0</translation>
+  </message>
+  <message>
    <source>face angle</source>
    <translation>面锥角</translation>
+  </message>
+  <message>
+   <source>face cone's apex</source>
+   <translation>面锥顶</translation>
   </message>
   <message>
    <source>fillet</source>
@@ -5096,6 +5296,22 @@
   <message>
    <source>gear</source>
    <translation>齿轮</translation>
+  </message>
+  <message>
+   <source>given</source>
+   <translation>给定</translation>
+  </message>
+  <message>
+   <source>given for the pinion; x₂ = −x₁</source>
+   <translation>小轮给定；x₂ = −x₁</translation>
+  </message>
+  <message>
+   <source>given for the wheel</source>
+   <translation>大轮给定</translation>
+  </message>
+  <message>
+   <source>given, or as a part of R_e</source>
+   <translation>给定，或为 R_e 的一部分</translation>
   </message>
   <message>
    <source>grid</source>
@@ -5282,6 +5498,14 @@
    <translation>节锥角</translation>
   </message>
   <message>
+   <source>plane that touches the wheel's face cone</source>
+   <translation>与大轮面锥相切的平面</translation>
+  </message>
+  <message>
+   <source>plane that touches the wheel's root cone</source>
+   <translation>与大轮根锥相切的平面</translation>
+  </message>
+  <message>
    <source>point_cloud</source>
    <translation>点云</translation>
   </message>
@@ -5342,6 +5566,10 @@
    <translation>根锥角</translation>
   </message>
   <message>
+   <source>root cone's apex</source>
+   <translation>根锥顶</translation>
+  </message>
+  <message>
    <source>rotating_line</source>
    <translation>滚动直线</translation>
   </message>
@@ -5382,6 +5610,10 @@
    <translation>间距</translation>
   </message>
   <message>
+   <source>square to the pitch cone</source>
+   <translation>垂直于节锥</translation>
+  </message>
+  <message>
    <source>surfaces</source>
    <translation>曲面</translation>
   </message>
@@ -5396,6 +5628,10 @@
   <message>
    <source>taking pictures of the views</source>
    <translation>正在拍摄视图</translation>
+  </message>
+  <message>
+   <source>teeth</source>
+   <translation>齿</translation>
   </message>
   <message>
    <source>text</source>
@@ -5462,6 +5698,18 @@
    <translation>三角形，用于打印</translation>
   </message>
   <message>
+   <source>turn of contact over the face at half the depth, over the pitch</source>
+   <translation>齿高一半处沿齿宽接触的转角与齿距之比</translation>
+  </message>
+  <message>
+   <source>turn of contact over the profile in the middle of the face, over the pitch</source>
+   <translation>齿宽中部沿齿廓接触的转角与齿距之比</translation>
+  </message>
+  <message>
+   <source>turn of contact over the whole flank, over the pitch</source>
+   <translation>整个齿面接触的转角与齿距之比</translation>
+  </message>
+  <message>
    <source>updating…</source>
    <translation>更新中…</translation>
   </message>
@@ -5496,6 +5744,10 @@
   <message>
    <source>wheel</source>
    <translation>大轮</translation>
+  </message>
+  <message>
+   <source>with the backlash's share</source>
+   <translation>计入侧隙份额</translation>
   </message>
   <message>
    <source>writing…</source>
@@ -5682,6 +5934,10 @@ Drag an end of the bar to change the range, double-click to type it. Grey: no va
   <message>
    <source>Σ  shaft angle</source>
    <translation>Σ  轴交角</translation>
+  </message>
+  <message>
+   <source>γ + γ_mate − arccos(cos δ_a/cos δ_b) of the mate</source>
+   <translation>γ + γ_mate − 配对轮 arccos(cos δ_a/cos δ_b)</translation>
   </message>
   <message>
    <source>“{command}”: usual keys {keys}</source>
@@ -6477,6 +6733,10 @@ Drag an end of the bar to change the range, double-click to type it. Grey: no va
   <message>
    <source>the {0} of a pair with {1}</source>
    <translation>{1}齿轮副的{0}</translation>
+  </message>
+  <message>
+   <source>the {0}'s flanks are up to {1} µm from those of the design, which a rotating line cannot sweep; the faces are held against the flanks that it does sweep</source>
+   <translation>{0}齿面与设计的相差至多 {1} µm，滚动直线无法扫出设计齿面；各面与其所能扫出的齿面比较</translation>
   </message>
   <message>
    <source>the {0}'s teeth are pointed ({1} mm at the tip); {2}</source>
