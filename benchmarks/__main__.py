@@ -37,6 +37,9 @@ def measurements() -> Iterator[Measurement | Remark]:
     yield Measurement("growth of that time with the teeth, exponent", [gear.growth()], GROWTH, decimals=2)
     yield Measurement("STEP file of that wheel", [gear.file_megabytes()], MEGABYTES, unit="MB", decimals=2)
 
+    title = "hypoid pair 11/41, checked / bevel pair of the same teeth"
+    yield Measurement(title, gear.hypoid_ratios(), gear.HYPOID_TARGET, decimals=2)
+
     title = "report of the default design, all sections / py_gearworks"
     yield Measurement(title, report.ratios(peers.build_wheel), report.TARGET, decimals=2)
 

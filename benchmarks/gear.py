@@ -11,6 +11,7 @@ from pathlib import Path
 from benchmarks.measurement import timed
 
 TEETH = (20, 40, 80)
+HYPOID_TARGET = 1.5
 
 
 def build_and_check(teeth: int = 40) -> None:
@@ -34,6 +35,28 @@ def ratios(peer: Callable[[], object], rounds: int = 5) -> list[float]:
     """Time of a build with its check over that of a peer, in turn, so that a busy machine slows both alike."""
     build_and_check()
     return [statistics.median(timed(build_and_check, 3)) / timed(peer, 1)[0] for _ in range(rounds)]
+
+
+def build_pair(offset: float) -> None:
+    """Both members of the passenger car's hypoid pair, or of a bevel pair of the same teeth, found valid."""
+    from gearstudio.design import with_field
+    from gearstudio.kernel.solids import is_valid
+    from gearstudio.methods.gear import build_gear
+    from gearstudio.presets import PRESETS_BY_KEY
+
+    design = with_field(PRESETS_BY_KEY["hypoid-car"].design, "pair.offset", offset)
+    if offset == 0:
+        design = with_field(with_field(design, "depth.system", "outer_module"), "lengthwise.spiral_angle_deg", 35.0)
+    for member in ("pinion", "wheel"):
+        if not is_valid(build_gear(design, member, "profile_sweep", "optimised").solid):
+            raise RuntimeError(f"the {member} with an offset of {offset} mm is not valid")
+
+
+def hypoid_ratios(rounds: int = 5) -> list[float]:
+    """Time of a hypoid pair with its check over that of a bevel pair, in turn."""
+    build_pair(25.4)
+    build_pair(0.0)
+    return [timed(lambda: build_pair(25.4), 1)[0] / timed(lambda: build_pair(0.0), 1)[0] for _ in range(rounds)]
 
 
 def growth() -> float:

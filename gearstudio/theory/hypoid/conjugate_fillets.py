@@ -41,10 +41,13 @@ class ConjugateSide:
     radius : float
         Of the circle [rad]. Where the flank does not reach down to it, the circle is the larger one that touches
         the flank at the lowest place where it is regular.
+    like : ConjugateSide or None
+        Of a shorter face with the same middle, whose fillet goes on here.
     """
 
     whole: ConjugateFlank
     radius: float
+    like: ConjugateSide | None = None
 
     @property
     def on_meridian(self) -> bool:
@@ -54,10 +57,15 @@ class ConjugateSide:
     @cached_property
     def flank(self) -> ConjugateFlank:
         """See `FilletSide`."""
-        return replace(self.whole, lower=StartOfContact(self._series.foot_angle, BEYOND))
+        if self.like is None:
+            return replace(self.whole, lower=StartOfContact(self._series.foot_angle, BEYOND))
+        longer = self.whole.member.face_width / self.like.whole.member.face_width
+        return replace(self.whole, lower=StartOfContact(self.like._series.foot_angle, (0.5 + BEYOND) / longer - 0.5))
 
     def circle(self, rho_u: Floats) -> Circle:
         """See `FilletSide`."""
+        if self.like is not None:
+            return self.like.circle(rho_u)
         m, s = self.whole.member, self._series
         t = self._along(rho_u)
         radius, azimuth, foot = (

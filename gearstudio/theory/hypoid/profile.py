@@ -119,8 +119,13 @@ class HypoidProfile:
         """See `Profile`."""
         reach = {"outer_cone_distance", "face_width", "fillet_radius", "tip_limit"}
         changes = {name: getattr(member, name) for name in reach}
-        flanks = {s: _on(side.flank, replace(side.flank.member, **changes)) for s, side in self.sides.items()}
-        return HypoidProfile(member, {s: _side(flanks[s], side.radius) for s, side in self.sides.items()})
+        sides: dict[int, FilletSide] = {}
+        for number, side in self.sides.items():
+            flank = _on(side.flank, replace(side.flank.member, **changes))
+            sides[number] = _side(flank, side.radius)
+            if isinstance(flank, ConjugateFlank) and isinstance(side, ConjugateSide):
+                sides[number] = ConjugateSide(flank, side.radius, side)
+        return HypoidProfile(member, sides)
 
     def unmodified(self, flanks: dict[int, Flank]) -> HypoidProfile:
         """See `Profile`."""
