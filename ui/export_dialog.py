@@ -80,6 +80,7 @@ class ExportDialog(QDialog):
         self._record.setChecked(self._last("record", "no") == "yes")
         self._folder = QLineEdit(self._last("folder", "") or folder)
         self._folder.setAccessibleName(tr("Folder"))
+        self._folder.setToolTip(tr("Where the files are written"))
         self._files = QLabel()
         self._files.setProperty("role", "muted")
         self._files.setWordWrap(True)
@@ -135,6 +136,7 @@ class ExportDialog(QDialog):
     def _lay_out(self) -> None:
         browse = QPushButton(tr("Browse…"))
         browse.setAutoDefault(False)
+        browse.setToolTip(tr("Folder for the exported files"))
         browse.clicked.connect(self._browse)
         form = QFormLayout()
         form.setSpacing(8)
@@ -168,6 +170,8 @@ class ExportDialog(QDialog):
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Cancel)
         self._export = buttons.addButton(tr("Export"), QDialogButtonBox.ButtonRole.AcceptRole)
         self._export.setDefault(True)
+        self._export.setToolTip(tr("Write the files and check them"))
+        buttons.button(QDialogButtonBox.StandardButton.Cancel).setToolTip(tr("Close without writing"))
         buttons.accepted.connect(self.accept)
         buttons.rejected.connect(self.reject)
         layout = QVBoxLayout(self)
@@ -184,6 +188,7 @@ class ExportDialog(QDialog):
         grid.setVerticalSpacing(5)
         for row, (name, box) in enumerate(self._formats.items()):
             words = QLabel(tr(FORMAT_TITLES[name][1]))
+            box.setToolTip(words.text())
             words.setProperty("role", "muted")
             grid.addWidget(box, row, 0)
             grid.addWidget(words, row, 1)

@@ -61,11 +61,13 @@ class GuideWindow(QDialog):
         self._folder = pages_folder()
         self.pages = QComboBox()
         self.pages.setAccessibleName(tr("Page"))
+        self.pages.setToolTip(tr("Guide or glossary"))
         for key, title in PAGES:
             self.pages.addItem(tr(title), key)
         self.search = QLineEdit()
         self.search.setPlaceholderText(tr("Find in the page"))
         self.search.setAccessibleName(tr("Find in the page"))
+        self.search.setToolTip(tr("Return goes to the next place"))
         self.search.setClearButtonEnabled(True)
         self.search.returnPressed.connect(self.find_next)
         self.next = QToolButton()
@@ -74,6 +76,7 @@ class GuideWindow(QDialog):
         self.next.clicked.connect(self.find_next)
         self.headings = QListWidget()
         self.headings.setAccessibleName(tr("Headings"))
+        self.headings.setToolTip(tr("Go to a heading"))
         self.headings.currentRowChanged.connect(self._jump)
         self.view = PageView(self._folder)
         self.view.setAccessibleName(tr("Page"))
@@ -134,7 +137,16 @@ class GuideWindow(QDialog):
             place = self.view.cursorRect(cursor).top() + self.view.verticalScrollBar().value()
             self.view.verticalScrollBar().setValue(place)
 
+    def _jump_to(self, fragment: str) -> None:
+        """Go to the heading that a link of the page names."""
+        for row in range(self.headings.count()):
+            if self.headings.item(row).text().strip().lower().replace(",", "").replace(" ", "-") == fragment:
+                self.headings.setCurrentRow(row)
+
     def _follow(self, url: QUrl) -> None:
+        if url.isRelative() and url.hasFragment():
+            self._jump_to(url.fragment())
+            return
         key = Path(url.path()).stem
         if url.isRelative() and self.pages.findData(key) >= 0:
             self.show_page(key)

@@ -57,11 +57,13 @@ class BackupsDialog(QDialog):
         self.list.setRootIsDecorated(False)
         self.list.setHeaderLabels([tr("Saved"), tr("State"), tr("Differs from what is open in")])
         self.list.setAccessibleName(tr("Backups"))
+        self.list.setToolTip(tr("Copies of the last saves, with what was different"))
         self.list.header().setSectionResizeMode(QHeaderView.ResizeMode.Interactive)
         self.list.header().setStretchLastSection(True)
         for column, width in enumerate((DATE_WIDTH, STATE_WIDTH)):
             self.list.setColumnWidth(column, width)
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
+        buttons.button(QDialogButtonBox.StandardButton.Close).setToolTip(tr("Close; nothing changes"))
         self.restore = buttons.addButton(tr("&Go back to this one"), QDialogButtonBox.ButtonRole.AcceptRole)
         self.restore.setToolTip(tr("Put it in place of what is open; Undo takes that back. No file is changed."))
         words = QLabel(tr("Each save leaves a copy. Going back changes no file until you save, and can be undone."))

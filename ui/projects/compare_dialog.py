@@ -152,6 +152,7 @@ class CompareDialog(QDialog):
 def _table() -> QTableWidget:
     table = QTableWidget(0, 6)
     table.setAccessibleName(tr("Differences"))
+    table.setToolTip(tr("Parameters and derived values of both designs"))
     table.verticalHeader().hide()
     table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
     table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)

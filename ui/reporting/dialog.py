@@ -60,6 +60,7 @@ class ReportDialog(QDialog):
         self._boxes = self._section_boxes()
         self.member = QComboBox()
         self.member.setAccessibleName(tr("Maps and charts of"))
+        self.member.setToolTip(tr("The member that is drawn"))
         for one in MEMBERS:
             self.member.addItem(tr(one.capitalize()), one)
         self.member.setCurrentIndex(MEMBERS.index(member) if member in MEMBERS else 0)
@@ -81,6 +82,8 @@ class ReportDialog(QDialog):
         self.buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
         self.save = self.buttons.addButton(tr("&Save PDF…"), QDialogButtonBox.ButtonRole.AcceptRole)
         self.save.setEnabled(False)
+        self.save.setToolTip(tr("Save the report"))
+        self.buttons.button(QDialogButtonBox.StandardButton.Close).setToolTip(tr("Close the report"))
         self.make.clicked.connect(self._make)
         self.stop.clicked.connect(self.cancelled)
         self.save.clicked.connect(self._save)
