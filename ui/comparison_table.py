@@ -46,7 +46,7 @@ COLUMNS = (
         f"{MINUS}0.555 … +0.555 µm",
     ),
     Column("Poles", "Control points of the surface, u × v", lambda r: f"{r.poles[0]} × {r.poles[1]}", "55 × 55"),
-    Column("Degree", "Degree of the surface, u × v", lambda r: f"{r.degree[0]} × {r.degree[1]}", "15 × 15"),
+    Column("Degree", "Degree of the surface, u × v", lambda r: f"{r.degree[0]} × {r.degree[1]}", "9 × 9"),
     Column("Time", "Building alone, both flanks", lambda r: seconds(r.seconds), "5.55 ms"),
     Column("Settings", "What the construction took", lambda r: settings_text(r.settings), ""),
 )

@@ -24,6 +24,7 @@ from ui.progress import set_progress
 from ui.properties_table import PropertiesTable
 from ui.status import Dot
 from ui.theme import set_icon
+from ui.units import with_unit
 from ui.words import tr
 
 STEPS = 400
@@ -45,6 +46,8 @@ class SolidPanel(QWidget):
     section_side_wanted()
         The section was switched on or got another axis: `set_section_side` is to tell the side that is in the way.
     measure_switched(bool)
+    units_shown()
+        Lengths are to be shown in another unit.
     """
 
     build_requested = Signal()
@@ -54,6 +57,7 @@ class SolidPanel(QWidget):
     section_changed = Signal()
     section_side_wanted = Signal()
     measure_switched = Signal(bool)
+    units_shown = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -132,6 +136,11 @@ class SolidPanel(QWidget):
         with QSignalBlocker(self._flip):
             self._flip.setChecked(False)
 
+    def show_units(self) -> None:
+        """Show lengths in the unit chosen."""
+        self._show_section()
+        self.units_shown.emit()
+
     def show_measure(self, text: str) -> None:
         """The read-out under Measure, rich text; an invitation when empty."""
         self._reading.setText(text or tr("Click two points of the solid."))
@@ -159,6 +168,8 @@ class SolidPanel(QWidget):
         made.addWidget(self._progress)
         made.addWidget(self.automatic)
         self.construction = QComboBox()
+        self.construction.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
+        self.construction.setMinimumContentsLength(10)
         self.construction.setToolTip(tr("Faces joined into one shell, or tooth spaces cut from the blank by Booleans"))
         for name, title in CONSTRUCTION_TITLES.items():
             self.construction.addItem(tr(title), name)
@@ -253,7 +264,7 @@ class SolidPanel(QWidget):
     def _show_section(self) -> None:
         for widget in (self._slider, self._flip, self._where):
             widget.setEnabled(self._cut.isChecked())
-        self._where.setText(f"{self._place:.2f} mm".replace("-", "−"))
+        self._where.setText(with_unit(self._place, "mm", 2))
 
     def _on_measure(self, on: bool) -> None:
         self.show_measure("")

@@ -19,7 +19,7 @@ class PublishedTable(QWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.checks = self_check()
-        self.table = quiet_table(HEADS, (100, 100, 50, 130), tr("Published values and those computed"))
+        self.table = quiet_table(HEADS, (100, 100, 54, 130), tr("Published values and those computed"))
         for column in (1, 2):
             self.table.horizontalHeaderItem(column).setTextAlignment(RIGHT)
         self.summary = QLabel(summary(self.checks))

@@ -121,7 +121,7 @@ class SheetTable(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.table = quiet_table(HEADS, (74, 92, 92, 44), tr("Geometry data sheet"))
+        self.table = quiet_table(HEADS, (74, 92, 92, 54), tr("Geometry data sheet"))
         for column in (2, 3):
             self.table.horizontalHeaderItem(column).setTextAlignment(RIGHT)
         for column in (1, 4):

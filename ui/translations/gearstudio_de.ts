@@ -557,7 +557,7 @@
   </message>
   <message>
    <source>Assembled from its faces</source>
-   <translation>Aus Flächen zusammengesetzt</translation>
+   <translation>Aus Flächen gefügt</translation>
   </message>
   <message>
    <source>Assign</source>
@@ -972,8 +972,16 @@
    <translation>Bericht schließen</translation>
   </message>
   <message>
+   <source>Close without writing</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Close; every choice is already in force</source>
    <translation>Schließen; alles gilt schon</translation>
+  </message>
+  <message>
+   <source>Close; nothing changes</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Close; what is being painted is given up</source>
@@ -1200,6 +1208,10 @@
    <translation>Kopiert; in eine Tabellenkalkulation einfügen</translation>
   </message>
   <message>
+   <source>Copies of the last saves, with what was different</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Copy</source>
    <translation>Kopieren</translation>
   </message>
@@ -1325,7 +1337,7 @@
   </message>
   <message>
    <source>Cut from the blank (slow)</source>
-   <translation>Aus dem Rohling geschnitten (langsam)</translation>
+   <translation>Geschnitten (langsam)</translation>
   </message>
   <message>
    <source>Cut square to the {axis} axis</source>
@@ -2068,6 +2080,10 @@
    <translation>Mit den ungesicherten Änderungen fortfahren</translation>
   </message>
   <message>
+   <source>Go to a heading</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Grey</source>
    <translation>Grau</translation>
   </message>
@@ -2098,6 +2114,10 @@
   <message>
    <source>Guide curves follow the flank on tip and root.</source>
    <translation>Führungskurven folgen der Flanke an Kopf und Fuß.</translation>
+  </message>
+  <message>
+   <source>Guide or glossary</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Half the tooth's thickness</source>
@@ -3148,6 +3168,10 @@
    <translation>Parameter und abgeleitete Werte neben denen eines anderen Entwurfs</translation>
   </message>
   <message>
+   <source>Parameters and derived values of both designs</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Parameters: {group}</source>
    <translation>Parameter: {group}</translation>
   </message>
@@ -3433,15 +3457,15 @@
   </message>
   <message>
    <source>Published</source>
-   <translation>Veröffentlicht</translation>
+   <translation>Gedruckt</translation>
   </message>
   <message>
    <source>Published values</source>
-   <translation>Veröffentlichte Werte</translation>
+   <translation>Gedruckte Werte</translation>
   </message>
   <message>
    <source>Published values and those computed</source>
-   <translation>Veröffentlichte und berechnete Werte</translation>
+   <translation>Gedruckte und berechnete Werte</translation>
   </message>
   <message>
    <source>Purple – green</source>
@@ -3594,6 +3618,10 @@
   <message>
    <source>Restore defaults</source>
    <translation>Vorgaben wiederherstellen</translation>
+  </message>
+  <message>
+   <source>Return goes to the next place</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Right</source>
@@ -4290,6 +4318,10 @@
    <translation>Das Messnetz mit einem Balken an jedem Punkt, beide Flanken</translation>
   </message>
   <message>
+   <source>The member that is drawn</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>The member, or both where they mesh</source>
    <translation>Das Rad, oder beide im Eingriff</translation>
   </message>
@@ -4974,6 +5006,10 @@
    <translation>Wo jede Methode von der exakten Flanke abweicht</translation>
   </message>
   <message>
+   <source>Where the files are written</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Where the involutes start on the base cone</source>
    <translation>Wo die Evolventen auf dem Grundkegel beginnen</translation>
   </message>
@@ -5076,6 +5112,10 @@
   <message>
    <source>Write flanks, teeth, gears or the pair for other programs</source>
    <translation>Flanken, Zähne, Räder oder das Paar für andere Programme schreiben</translation>
+  </message>
+  <message>
+   <source>Write the files and check them</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Write the nominal points with normals, for a coordinate measuring machine</source>
@@ -5543,7 +5583,7 @@
   </message>
   <message>
    <source>published</source>
-   <translation>veröffentlicht</translation>
+   <translation>gedruckt</translation>
   </message>
   <message>
    <source>record: {name}</source>

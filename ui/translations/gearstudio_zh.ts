@@ -972,8 +972,16 @@
    <translation>关闭报告</translation>
   </message>
   <message>
+   <source>Close without writing</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Close; every choice is already in force</source>
    <translation>关闭；所有选择已生效</translation>
+  </message>
+  <message>
+   <source>Close; nothing changes</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Close; what is being painted is given up</source>
@@ -1198,6 +1206,10 @@
   <message>
    <source>Copied; paste it into a spreadsheet</source>
    <translation>已复制；可粘贴到电子表格</translation>
+  </message>
+  <message>
+   <source>Copies of the last saves, with what was different</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Copy</source>
@@ -2068,6 +2080,10 @@
    <translation>继续未保存的修改</translation>
   </message>
   <message>
+   <source>Go to a heading</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Grey</source>
    <translation>灰</translation>
   </message>
@@ -2098,6 +2114,10 @@
   <message>
    <source>Guide curves follow the flank on tip and root.</source>
    <translation>引导线在齿顶和齿根处跟随齿面。</translation>
+  </message>
+  <message>
+   <source>Guide or glossary</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Half the tooth's thickness</source>
@@ -3148,6 +3168,10 @@
    <translation>参数和导出值与另一设计并列</translation>
   </message>
   <message>
+   <source>Parameters and derived values of both designs</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Parameters: {group}</source>
    <translation>参数：{group}</translation>
   </message>
@@ -3594,6 +3618,10 @@
   <message>
    <source>Restore defaults</source>
    <translation>恢复默认值</translation>
+  </message>
+  <message>
+   <source>Return goes to the next place</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Right</source>
@@ -4290,6 +4318,10 @@
    <translation>测量网格，每点一柱，两侧齿面</translation>
   </message>
   <message>
+   <source>The member that is drawn</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>The member, or both where they mesh</source>
    <translation>单个齿轮，或啮合的两轮</translation>
   </message>
@@ -4974,6 +5006,10 @@
    <translation>各方法偏离精确齿面之处</translation>
   </message>
   <message>
+   <source>Where the files are written</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Where the involutes start on the base cone</source>
    <translation>渐开线在基锥上的起点</translation>
   </message>
@@ -5076,6 +5112,10 @@
   <message>
    <source>Write flanks, teeth, gears or the pair for other programs</source>
    <translation>为其他程序写出齿面、齿、齿轮或齿轮副</translation>
+  </message>
+  <message>
+   <source>Write the files and check them</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Write the nominal points with normals, for a coordinate measuring machine</source>
