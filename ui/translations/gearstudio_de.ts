@@ -973,7 +973,7 @@
   </message>
   <message>
    <source>Close without writing</source>
-   <translation type="unfinished" />
+   <translation>Schließen, ohne zu schreiben</translation>
   </message>
   <message>
    <source>Close; every choice is already in force</source>
@@ -981,7 +981,7 @@
   </message>
   <message>
    <source>Close; nothing changes</source>
-   <translation type="unfinished" />
+   <translation>Schließen; nichts ändert sich</translation>
   </message>
   <message>
    <source>Close; what is being painted is given up</source>
@@ -1209,7 +1209,7 @@
   </message>
   <message>
    <source>Copies of the last saves, with what was different</source>
-   <translation type="unfinished" />
+   <translation>Kopien der letzten Stände, mit den Unterschieden</translation>
   </message>
   <message>
    <source>Copy</source>
@@ -2081,7 +2081,7 @@
   </message>
   <message>
    <source>Go to a heading</source>
-   <translation type="unfinished" />
+   <translation>Zu einer Überschrift gehen</translation>
   </message>
   <message>
    <source>Grey</source>
@@ -2117,7 +2117,7 @@
   </message>
   <message>
    <source>Guide or glossary</source>
-   <translation type="unfinished" />
+   <translation>Anleitung oder Glossar</translation>
   </message>
   <message>
    <source>Half the tooth's thickness</source>
@@ -3169,7 +3169,7 @@
   </message>
   <message>
    <source>Parameters and derived values of both designs</source>
-   <translation type="unfinished" />
+   <translation>Parameter und abgeleitete Werte beider Entwürfe</translation>
   </message>
   <message>
    <source>Parameters: {group}</source>
@@ -3621,7 +3621,7 @@
   </message>
   <message>
    <source>Return goes to the next place</source>
-   <translation type="unfinished" />
+   <translation>Enter geht zur nächsten Stelle</translation>
   </message>
   <message>
    <source>Right</source>
@@ -4319,7 +4319,7 @@
   </message>
   <message>
    <source>The member that is drawn</source>
-   <translation type="unfinished" />
+   <translation>Das gezeichnete Rad</translation>
   </message>
   <message>
    <source>The member, or both where they mesh</source>
@@ -5007,7 +5007,7 @@
   </message>
   <message>
    <source>Where the files are written</source>
-   <translation type="unfinished" />
+   <translation>Wohin die Dateien geschrieben werden</translation>
   </message>
   <message>
    <source>Where the involutes start on the base cone</source>
@@ -5115,7 +5115,7 @@
   </message>
   <message>
    <source>Write the files and check them</source>
-   <translation type="unfinished" />
+   <translation>Die Dateien schreiben und prüfen</translation>
   </message>
   <message>
    <source>Write the nominal points with normals, for a coordinate measuring machine</source>

@@ -973,7 +973,7 @@
   </message>
   <message>
    <source>Close without writing</source>
-   <translation type="unfinished" />
+   <translation>关闭，不写出</translation>
   </message>
   <message>
    <source>Close; every choice is already in force</source>
@@ -981,7 +981,7 @@
   </message>
   <message>
    <source>Close; nothing changes</source>
-   <translation type="unfinished" />
+   <translation>关闭；不作更改</translation>
   </message>
   <message>
    <source>Close; what is being painted is given up</source>
@@ -1209,7 +1209,7 @@
   </message>
   <message>
    <source>Copies of the last saves, with what was different</source>
-   <translation type="unfinished" />
+   <translation>最近保存的副本及其差异</translation>
   </message>
   <message>
    <source>Copy</source>
@@ -2081,7 +2081,7 @@
   </message>
   <message>
    <source>Go to a heading</source>
-   <translation type="unfinished" />
+   <translation>跳到标题</translation>
   </message>
   <message>
    <source>Grey</source>
@@ -2117,7 +2117,7 @@
   </message>
   <message>
    <source>Guide or glossary</source>
-   <translation type="unfinished" />
+   <translation>指南或术语表</translation>
   </message>
   <message>
    <source>Half the tooth's thickness</source>
@@ -3169,7 +3169,7 @@
   </message>
   <message>
    <source>Parameters and derived values of both designs</source>
-   <translation type="unfinished" />
+   <translation>两个设计的参数和导出值</translation>
   </message>
   <message>
    <source>Parameters: {group}</source>
@@ -3621,7 +3621,7 @@
   </message>
   <message>
    <source>Return goes to the next place</source>
-   <translation type="unfinished" />
+   <translation>回车跳到下一处</translation>
   </message>
   <message>
    <source>Right</source>
@@ -4319,7 +4319,7 @@
   </message>
   <message>
    <source>The member that is drawn</source>
-   <translation type="unfinished" />
+   <translation>所绘制的齿轮</translation>
   </message>
   <message>
    <source>The member, or both where they mesh</source>
@@ -5007,7 +5007,7 @@
   </message>
   <message>
    <source>Where the files are written</source>
-   <translation type="unfinished" />
+   <translation>文件写到何处</translation>
   </message>
   <message>
    <source>Where the involutes start on the base cone</source>
@@ -5115,7 +5115,7 @@
   </message>
   <message>
    <source>Write the files and check them</source>
-   <translation type="unfinished" />
+   <translation>写出并检查文件</translation>
   </message>
   <message>
    <source>Write the nominal points with normals, for a coordinate measuring machine</source>
