@@ -7,11 +7,11 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, QPointF, Qt
 
-from ui.formatting import fixed
 from ui.measure_overlay import MeasureOverlay
 from ui.measuring import Picked, measure, pick
 from ui.picking import Picker
 from ui.solid_words import measured
+from ui.units import with_unit
 from ui.words import tr
 
 if TYPE_CHECKING:
@@ -64,7 +64,13 @@ class SolidMeasure(QObject):
         if found is None:
             return
         self._points = [found] if len(self._points) == 2 else [*self._points, found]
-        self._say(measured(measure(*self._points)) if len(self._points) == 2 else tr("Click the second point."))
+        self.show_units()
+
+    def show_units(self) -> None:
+        """Say what was measured, in the unit of lengths that is shown."""
+        if self._points:
+            both = len(self._points) == 2
+            self._say(measured(measure(*self._points)) if both else tr("Click the second point."))
         self._place()
 
     def _place(self) -> None:
@@ -73,5 +79,5 @@ class SolidMeasure(QObject):
         for picked in self._points:
             x, y = viewport.look.project(picked.point)
             places.append(viewport.place_of(0, float(x), float(y)))
-        text = f"{fixed(measure(*self._points).distance, 4)} mm" if len(self._points) == 2 else ""
+        text = with_unit(measure(*self._points).distance, "mm", 4) if len(self._points) == 2 else ""
         self._overlay.show_points(tuple(places), text)

@@ -85,6 +85,7 @@ class SolidMode(QObject):
         assert area.grid is not None and area.mesh_bar is not None
         self.view = SolidView(area.grid)
         self.measuring = SolidMeasure(self.view, self._panel.show_measure, self)
+        self._panel.units_shown.connect(self.measuring.show_units)
         self.pointer = SolidPointer(self.view, self._on_pointed, self)
         area.mesh_bar.turned.connect(self._on_turned)
         area.grid.viewport.drawing.connect(self._on_drawing)

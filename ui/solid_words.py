@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from ui.formatting import MEMBER_TITLES, METHOD_TITLES, VARIANT_TITLES, fixed, micrometres, seconds
+from ui.formatting import MEMBER_TITLES, METHOD_TITLES, VARIANT_TITLES, micrometres, seconds
+from ui.units import with_unit
 from ui.words import inline, told, tr
 
 if TYPE_CHECKING:
@@ -53,15 +54,15 @@ def titles(solids: Solids, keys: Sequence[Key]) -> tuple[str, str]:
 
 def measured(found: Measure) -> str:
     """A measurement as rich text for the panel."""
-    rows = [(tr("Distance"), f"<b>{fixed(found.distance, 4)} mm</b>")]
-    rows += [(f"Δ{name}", f"{fixed(value, 4)} mm") for name, value in zip("xyz", found.across, strict=True)]
+    rows = [(tr("Distance"), f"<b>{with_unit(found.distance, 'mm', 4)}</b>")]
+    rows += [(f"Δ{name}", with_unit(value, "mm", 4)) for name, value in zip("xyz", found.across, strict=True)]
     for title, value, unit in (
-        (tr("Radial"), found.radial, " mm"),
-        (tr("Axial"), found.axial, " mm"),
+        (tr("Radial"), found.radial, "mm"),
+        (tr("Axial"), found.axial, "mm"),
         (tr("Azimuth"), found.azimuth, "°"),
         (tr("Between normals"), found.normals, "°"),
     ):
         if value is not None:
-            rows.append((title, f"{fixed(value, 4)}{unit}"))
+            rows.append((title, with_unit(value, unit, 4)))
     cells = "".join(f"<tr><td>{title}&nbsp;&nbsp;</td><td align='right'>{text}</td></tr>" for title, text in rows)
     return f"<table>{cells}</table>"
