@@ -23,6 +23,8 @@ Floats = NDArray[np.float64]
 _FOOT_POINT_STEPS = 8
 _EDGE_STEPS = 8
 _FOOT_POINT_ACCURACY = 1e-12
+_SECOND_ORDER = 3e-7
+"""Distances [of rho] whose first value, exact to second order, is right to 1e-13."""
 _STEP = 2e-3
 _BEYOND, _BELOW = 0.25, 0.05
 
@@ -213,7 +215,8 @@ class ConjugateFlank:
             rho, delta, _ = self.locate(moved)
             foot, normal = self._surface(*self.natural_at(rho, delta))
             before, gap = gap, dot(points - foot, normal)
-            if np.all(np.abs(gap - before) <= _FOOT_POINT_ACCURACY * rho):
+            settled = np.abs(gap - before) <= _FOOT_POINT_ACCURACY * rho
+            if np.all(settled | (np.abs(gap) <= _SECOND_ORDER * rho)):
                 break
             moved = points - gap[..., None] * normal
         return gap
