@@ -182,6 +182,8 @@ def test_a_design_reads_back_from_its_mapping() -> None:
     assert read_design(design_mapping(design)) == (design, ())
 
 
+OFFSET = {"pair.offset": 10.0}
+ISO = {"depth.system": "iso23509"}
 # A setting under which the field acts, and another value of it.
 ACTING: dict[str, tuple[dict[str, Any], Any]] = {
     "pair.pinion_teeth": ({}, 18),
@@ -204,6 +206,17 @@ ACTING: dict[str, tuple[dict[str, Any], Any]] = {
     "tooth.fillet_factor": ({}, 0.2),
     "tooth.tip_cone": ({}, "constant_clearance"),
     "tooth.ends": ({}, "sphere"),
+    "pair.offset": ({}, 10.0),
+    "lengthwise.spiral_angle_of": (OFFSET, "wheel"),
+    "tooth.limit_pressure_angle_factor": (OFFSET, 0.5),
+    "depth.system": ({}, "iso23509"),
+    "depth.taper": (ISO, "uniform"),
+    "depth.depth_factor": (ISO, 1.9),
+    "depth.clearance_factor": (ISO, 0.15),
+    "depth.mean_addendum_factor": (ISO, 0.4),
+    "depth.thickness_factor": (ISO, 0.05),
+    "depth.addendum_angle_deg": (ISO, 2.0),
+    "depth.dedendum_angle_deg": (ISO, 3.0),
 }
 
 
