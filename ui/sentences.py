@@ -71,7 +71,7 @@ def _filled(sentence: str, depth: int) -> str:
         said = QCoreApplication.translate(SENTENCES, template.text) if match is not None else template.text
         if match is not None and said != template.text:
             words = [translated(part, depth + 1) for part in match.groups()]
-            return _HOLE.sub(lambda hole, words=words: words[int(hole[1])], said)
+            return "".join(words[int(part)] if odd else part for part, odd in _parts(said))
     return ""
 
 
@@ -95,3 +95,8 @@ def compiled(text: str) -> Template:
     """The template of a text; its holes are numbered from 0 in their order."""
     parts = _HOLE.split(text)[::2]
     return Template(text, parts[0], re.compile("(.*?)".join(map(re.escape, parts))))
+
+
+def _parts(text: str) -> list[tuple[str, bool]]:
+    """The pieces of a template, each with whether it is the number of a hole."""
+    return [(part, index % 2 == 1) for index, part in enumerate(_HOLE.split(text))]
