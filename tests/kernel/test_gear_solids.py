@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from dataclasses import replace
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -33,6 +34,7 @@ from tests.strategies import designs, modified_designs
 pytestmark = pytest.mark.kernel
 
 NAMED = {**{name: design for name, (design, _) in GOLDEN.items()}, **{p.key: p.design for p in PRESETS}}
+_MANY = 100 if os.environ.get("HYPOTHESIS_PROFILE") == "explore" else 12
 SMALL = with_field(with_field(Design(), "pair.pinion_teeth", 9), "pair.wheel_teeth", 14)
 
 
@@ -81,7 +83,9 @@ def test_the_ends_of_the_permitted_range_make_valid_gears(name: str, member: str
 @pytest.mark.slow
 @pytest.mark.timeout(1200)
 @seed(20260101)
-@settings(max_examples=100, deadline=None, database=None, phases=[Phase.generate], suppress_health_check=[*HealthCheck])
+@settings(
+    max_examples=_MANY, deadline=None, database=None, phases=[Phase.generate], suppress_health_check=[*HealthCheck]
+)
 @given(
     design=st.one_of(designs(), modified_designs()),
     member=st.sampled_from(["pinion", "wheel"]),
@@ -89,7 +93,9 @@ def test_the_ends_of_the_permitted_range_make_valid_gears(name: str, member: str
     chamfer=st.sampled_from([0.0, 0.0, 0.1, 0.5, 1.0]),
 )
 def test_any_valid_design_makes_a_valid_gear(design: Design, member: str, method: str, chamfer: float) -> None:
-    """Chamfers are drawn as a share of the way from the smallest to the largest; 0 for none.
+    """A dozen in every run, a hundred with ``HYPOTHESIS_PROFILE=explore``.
+
+    Chamfers are drawn as a share of the way from the smallest to the largest; 0 for none.
 
     The kernel integrates the end faces of chamfered gears less closely than they are made.
     """
