@@ -115,6 +115,40 @@ def _with_cutter(design: Design, share: float) -> Design:
 
 
 @st.composite
+def offset_designs(draw: st.DrawFn) -> Design:
+    """A design with an offset of either sign and without errors, of a size that gears with an offset have."""
+    pinion_teeth = draw(st.integers(7, 20))
+    wheel_teeth = max(round(pinion_teeth * draw(between(1.5, 5.0))), pinion_teeth + 1)
+    diameter = draw(between(80.0, 450.0))
+    sign = draw(st.sampled_from([-1.0, 1.0]))
+    pair = {
+        "pinion_teeth": pinion_teeth,
+        "wheel_teeth": wheel_teeth,
+        "shaft_angle_deg": draw(between(70.0, 100.0)),
+        "outer_module": diameter / wheel_teeth,
+        "pressure_angle_deg": draw(between(18.0, 24.0)),
+        "face_width": diameter * draw(between(0.09, 0.155)),
+        "pinion_hand": draw(st.sampled_from(["left", "right"])),
+        "offset": sign * diameter * draw(between(0.01, 0.16 if sign > 0 else 0.1)),
+    }
+    lengthwise = {
+        "curve": draw(st.sampled_from(["circular_arc", "circular_arc", "archimedean", "logarithmic"])),
+        "spiral_angle_deg": draw(between(38.0, 50.0) if sign > 0 else between(22.0, 35.0)),
+        "cutter_radius": diameter * draw(between(0.36, 0.6)),
+    }
+    tooth = {
+        "backlash": 0.001 * diameter * draw(st.floats(0.0, 1.0)),
+        "ends": draw(st.sampled_from(["back_cone", "sphere"])),
+        "fillet_factor": 0.25,
+        "limit_pressure_angle_factor": draw(between(0.0, 1.0)),
+    }
+    depth = {"system": "iso23509", "taper": draw(st.sampled_from(["standard", "uniform", "duplex", "tilted_root"]))}
+    design = Design.model_validate({"pair": pair, "lengthwise": lengthwise, "tooth": tooth, "depth": depth})
+    assume(all(issue.severity != "error" for issue in check(design, 0.0)))
+    return design
+
+
+@st.composite
 def modified_designs(draw: st.DrawFn) -> Design:
     """A design of `designs` with micro-geometry on some flanks, in proportion to the module up to what is permitted."""
     design = draw(designs())

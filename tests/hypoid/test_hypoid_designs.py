@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from hypothesis import HealthCheck, given, settings
 
 from gearstudio.analysis.comparison import build_variant
 from gearstudio.analysis.contact import contact_analysis
@@ -27,6 +28,7 @@ from gearstudio.theory.hypoid.design import hypoid_input
 from gearstudio.theory.hypoid.inputs import HypoidInput
 from gearstudio.theory.modified import flank_of
 from gearstudio.validation import check, read_design
+from tests.strategies import offset_designs
 from tests.theory.hypoid.pairs import PAIRS, REFERENCE, reference_input
 
 OFFSETS = {preset.key: preset.design for preset in PRESETS if preset.design.pair.offset}
@@ -116,6 +118,15 @@ def test_a_conjugate_pair_transmits_evenly_and_its_reference_does_not(key: str) 
         assert np.abs(side.ease_off_um).max() < 1e-4
         assert own.direction(name).peak_to_peak_arcsec > 20  # type: ignore[arg-type]
     assert found.play_mm == pytest.approx(OFFSETS[key].tooth.backlash, abs=1e-6)
+
+
+@settings(max_examples=10, deadline=None, suppress_health_check=[HealthCheck.filter_too_much, HealthCheck.too_slow])
+@given(offset_designs())
+def test_random_pairs_transmit_evenly(design: Design) -> None:
+    pair = pair_geometry(design)
+    found = contact_analysis(pair, points=(16, 24), positions=8)
+    assert max(found.drive.peak_to_peak_arcsec, found.coast.peak_to_peak_arcsec) <= 0.01
+    assert found.play_mm == pytest.approx(design.tooth.backlash, abs=1e-6)
 
 
 def test_misalignments_act_on_both_sides() -> None:
