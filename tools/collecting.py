@@ -32,7 +32,7 @@ _SENTENCE = re.compile(r"[a-z]{2,}[,;:]? +\{?[a-z(]|^[a-z]+ \{0\}")
 _NO_SENTENCE = re.compile(r"[\\<>\n]|^%|\d+ of theory \[|=\s*\{0\}$|^[^a-z]*$")
 _NAME = re.compile(r"\{[a-z_]+\}")
 _FUNCTION = re.compile(r"arc(cos|sin|tan)|half|z_mate|γ_mate|_tip")
-_IN_WORDS = re.compile(r"[a-z]{4,}")
+_IN_WORDS = re.compile(r"(?<!\w)[a-z]{4,}(?!\w)")
 """A formula that is said in words, at least in part."""
 _MORE_SENTENCES = {"{0}: {1} failed: {2}"}
 """Of errors that are put together with few words."""

@@ -6031,6 +6031,66 @@ Ein Ende ziehen ändert den Bereich, Doppelklick gibt ihn ein. Grau: kein Wert</
    <translation>; {0} mm oder näher an 0 nehmen</translation>
   </message>
   <message>
+   <source>Addendum angle</source>
+   <translation>Kopfwinkel</translation>
+  </message>
+  <message>
+   <source>Clearance over depth</source>
+   <translation>Kopfspiel zu Zahnhöhe</translation>
+  </message>
+  <message>
+   <source>Dedendum angle</source>
+   <translation>Fußwinkel</translation>
+  </message>
+  <message>
+   <source>Depth factor</source>
+   <translation>Zahnhöhenfaktor</translation>
+  </message>
+  <message>
+   <source>Depth system</source>
+   <translation>Zahnhöhensystem</translation>
+  </message>
+  <message>
+   <source>From the wheel's pitch cone to its face cone; leave empty to take the taper's.</source>
+   <translation>Vom Teilkegel des Rads zu seinem Kopfkegel; leer: aus der Verjüngung.</translation>
+  </message>
+  <message>
+   <source>From the wheel's root cone to its pitch cone; leave empty to take the taper's.</source>
+   <translation>Vom Fußkegel des Rads zu seinem Teilkegel; leer: aus der Verjüngung.</translation>
+  </message>
+  <message>
+   <source>Mean addendum factor</source>
+   <translation>Mittlerer Kopfhöhenfaktor</translation>
+  </message>
+  <message>
+   <source>Outer module: the factors of the tooth, over the outer module at the heel. ISO 23509: factors of the mean normal module at the mean point, with a taper.</source>
+   <translation>Außenmodul: die Faktoren des Zahns, mal Außenmodul an der Ferse. ISO 23509: Faktoren des mittleren Normalmoduls im Mittelpunkt, mit Verjüngung.</translation>
+  </message>
+  <message>
+   <source>Standard: root lines through the pitch apex. Uniform: the same depth from toe to heel. Duplex: constant slot width. Tilted root: constant slot width, but not steeper than 1.3 times standard.</source>
+   <translation>Standard: Fußlinien durch die Teilkegelspitze. Gleich hoch: dieselbe Höhe von Zehe bis Ferse. Duplex: gleich weite Lücke. Geneigter Fuß: gleich weite Lücke, aber höchstens 1,3-mal so steil wie Standard.</translation>
+  </message>
+  <message>
+   <source>The wheel's mean addendum over working depth; leave empty for 0.21 + 0.29/u₉₀².</source>
+   <translation>Mittlere Kopfhöhe des Rads durch gemeinsame Zahnhöhe; leer: 0,21 + 0,29/u₉₀².</translation>
+  </message>
+  <message>
+   <source>Thickness factor</source>
+   <translation>Zahndickenfaktor</translation>
+  </message>
+  <message>
+   <source>Thickness that the pinion's teeth gain over the wheel's, over mean normal module.</source>
+   <translation>Dicke, die die Ritzelzähne gegenüber dem Rad gewinnen, durch mittleren Normalmodul.</translation>
+  </message>
+  <message>
+   <source>Tip clearance over working depth.</source>
+   <translation>Kopfspiel durch gemeinsame Zahnhöhe.</translation>
+  </message>
+  <message>
+   <source>Working depth at the mean point over mean normal module.</source>
+   <translation>Gemeinsame Zahnhöhe im Mittelpunkt durch mittleren Normalmodul.</translation>
+  </message>
+  <message>
    <source>a back face {0} mm from the apex cuts into the roots at the heel; use at least {1} mm</source>
    <translation>eine Rückfläche {0} mm von der Spitze schneidet in die Füße an der Ferse; mindestens {1} mm nehmen</translation>
   </message>
@@ -6269,6 +6329,10 @@ Ein Ende ziehen ändert den Bereich, Doppelklick gibt ihn ein. Grau: kein Wert</
   <message>
    <source>give the pair deeper teeth or a larger overlap</source>
    <translation>dem Paar höhere Zähne oder größere Überdeckung geben</translation>
+  </message>
+  <message>
+   <source>h_am₂ = c_ham h_mw</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>has nothing to mesh with at an end, where the wheel's tips lie inside its base cone</source>

@@ -6031,6 +6031,66 @@ Drag an end of the bar to change the range, double-click to type it. Grey: no va
    <translation>；请取 {0} mm 或更接近 0</translation>
   </message>
   <message>
+   <source>Addendum angle</source>
+   <translation>齿顶角</translation>
+  </message>
+  <message>
+   <source>Clearance over depth</source>
+   <translation>顶隙与齿高之比</translation>
+  </message>
+  <message>
+   <source>Dedendum angle</source>
+   <translation>齿根角</translation>
+  </message>
+  <message>
+   <source>Depth factor</source>
+   <translation>齿高系数</translation>
+  </message>
+  <message>
+   <source>Depth system</source>
+   <translation>齿高制</translation>
+  </message>
+  <message>
+   <source>From the wheel's pitch cone to its face cone; leave empty to take the taper's.</source>
+   <translation>大轮节锥到面锥；留空则按收缩方式。</translation>
+  </message>
+  <message>
+   <source>From the wheel's root cone to its pitch cone; leave empty to take the taper's.</source>
+   <translation>大轮根锥到节锥；留空则按收缩方式。</translation>
+  </message>
+  <message>
+   <source>Mean addendum factor</source>
+   <translation>中点齿顶高系数</translation>
+  </message>
+  <message>
+   <source>Outer module: the factors of the tooth, over the outer module at the heel. ISO 23509: factors of the mean normal module at the mean point, with a taper.</source>
+   <translation>大端模数：以大端模数计的齿系数。ISO 23509：以中点法向模数计的系数，带收缩方式。</translation>
+  </message>
+  <message>
+   <source>Standard: root lines through the pitch apex. Uniform: the same depth from toe to heel. Duplex: constant slot width. Tilted root: constant slot width, but not steeper than 1.3 times standard.</source>
+   <translation>标准：齿根线过节锥顶。等高：小端到大端齿高相同。双重：槽宽不变。倾斜齿根：槽宽不变，但不陡于标准的 1.3 倍。</translation>
+  </message>
+  <message>
+   <source>The wheel's mean addendum over working depth; leave empty for 0.21 + 0.29/u₉₀².</source>
+   <translation>大轮中点齿顶高与工作齿高之比；留空为 0.21 + 0.29/u₉₀²。</translation>
+  </message>
+  <message>
+   <source>Thickness factor</source>
+   <translation>齿厚系数</translation>
+  </message>
+  <message>
+   <source>Thickness that the pinion's teeth gain over the wheel's, over mean normal module.</source>
+   <translation>小轮齿比大轮齿多出的厚度与中点法向模数之比。</translation>
+  </message>
+  <message>
+   <source>Tip clearance over working depth.</source>
+   <translation>顶隙与工作齿高之比。</translation>
+  </message>
+  <message>
+   <source>Working depth at the mean point over mean normal module.</source>
+   <translation>中点工作齿高与中点法向模数之比。</translation>
+  </message>
+  <message>
    <source>a back face {0} mm from the apex cuts into the roots at the heel; use at least {1} mm</source>
    <translation>背面距锥顶 {0} mm，切入大端齿根；请取至少 {1} mm</translation>
   </message>
@@ -6269,6 +6329,10 @@ Drag an end of the bar to change the range, double-click to type it. Grey: no va
   <message>
    <source>give the pair deeper teeth or a larger overlap</source>
    <translation>请增加齿高或重合度</translation>
+  </message>
+  <message>
+   <source>h_am₂ = c_ham h_mw</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>has nothing to mesh with at an end, where the wheel's tips lie inside its base cone</source>
