@@ -29,7 +29,7 @@ _QUIET_CORE = ("cli", "equations", "presets", "catalogue", "formats", "design/mo
 _TITLE = re.compile(r"^[✓✗]? ?&?[A-Z][a-z&]|[A-Za-z]{2,} [A-Za-z(“]")
 _NO_TITLE = re.compile(r"^(Ctrl|Shift|Alt)\+|;;.*\*|^[\w.]*_[\w.]*$|Keys\.|::|^[A-Z][a-z]+[A-Z]\w+$|^\w+ \{")
 _SENTENCE = re.compile(r"[a-z]{2,}[,;:]? +\{?[a-z(]|^[a-z]+ \{0\}")
-_NO_SENTENCE = re.compile(r"[\\<>\n]|^%|\d+ of theory \[|=\s*\{0\}$|^[^a-z]*$")
+_NO_SENTENCE = re.compile(r"^\S+ = |[\\<>\n]|^%|\d+ of theory \[|=\s*\{0\}$|^[^a-z]*$")
 _NAME = re.compile(r"\{[a-z_]+\}")
 _FUNCTION = re.compile(r"arc(cos|sin|tan)|half|z_mate|γ_mate|_tip")
 _IN_WORDS = re.compile(r"(?<!\w)[a-z]{4,}(?!\w)")

@@ -6331,10 +6331,6 @@ Ein Ende ziehen ändert den Bereich, Doppelklick gibt ihn ein. Grau: kein Wert</
    <translation>dem Paar höhere Zähne oder größere Überdeckung geben</translation>
   </message>
   <message>
-   <source>h_am₂ = c_ham h_mw</source>
-   <translation type="unfinished" />
-  </message>
-  <message>
    <source>has nothing to mesh with at an end, where the wheel's tips lie inside its base cone</source>
    <translation>hat an einem Ende nichts zum Kämmen, weil der Kopf des Rads in dessen Grundkegel liegt</translation>
   </message>

@@ -6331,10 +6331,6 @@ Drag an end of the bar to change the range, double-click to type it. Grey: no va
    <translation>请增加齿高或重合度</translation>
   </message>
   <message>
-   <source>h_am₂ = c_ham h_mw</source>
-   <translation type="unfinished" />
-  </message>
-  <message>
    <source>has nothing to mesh with at an end, where the wheel's tips lie inside its base cone</source>
    <translation>在一端无可啮合，因大轮齿顶位于其基锥内</translation>
   </message>
