@@ -16,6 +16,7 @@ from OCP.TopAbs import TopAbs_State
 from gearstudio.design import Design, with_field
 from gearstudio.kernel.cutting import Face
 from gearstudio.methods.tooth import Tooth
+from gearstudio.theory.profile import ToothProfile
 
 Floats = NDArray[np.float64]
 Changes = Mapping[str, Any]
@@ -48,9 +49,12 @@ def points_inside(face: Face, wanted: int = 6) -> Floats:
 
 def off_fillet(tooth: Tooth, side: int, points: Floats) -> Floats:
     """How far points (..., 3) of a fillet lie from the circle of theory [mm], turned with the flank, shape (...)."""
-    fillet, member = tooth.profile.fillet, tooth.member
-    rho, delta, phi = tooth.profile.flank(side).locate(points)
-    turned = member.lengthwise.azimuth(rho) + tooth.profile.shift(side, rho, delta)
+    member, profile = tooth.member, tooth.profile
+    rho, delta, phi = profile.flank(side).locate(points)
+    if not isinstance(profile, ToothProfile):
+        return profile.off_fillet(side, rho, delta, phi - member.lengthwise.azimuth(rho))
+    fillet = profile.fillet
+    turned = member.lengthwise.azimuth(rho) + profile.shift(side, rho, delta)
     azimuth = side * (phi - turned) - fillet.centre_azimuth
     half = np.sin((delta - fillet.centre_angle) / 2) ** 2
     half = half + np.sin(delta) * np.sin(fillet.centre_angle) * np.sin(azimuth / 2) ** 2

@@ -45,7 +45,8 @@ def largest_gap(gear: Gear) -> float:
 @pytest.mark.parametrize("member", ["pinion", "wheel"])
 @pytest.mark.parametrize("name", NAMED)
 def test_named_designs_make_valid_gears_of_the_right_size(name: str, member: str) -> None:
-    gear = build_gear(NAMED[name], member, "rotating_line", "optimised")
+    method = "rotating_line" if NAMED[name].pair.offset == 0 else "profile_sweep"
+    gear = build_gear(NAMED[name], member, method, "optimised")
     assert is_valid(gear.solid)
     assert is_closed(gear.solid)
     assert gear.gap <= largest_gap(gear)

@@ -24,6 +24,7 @@ _PLACES = 9
 _LEAST_ROOT = 0.02
 """Part of the pitch that fillets leave between them at least."""
 _SMALLER = 0.9
+_SAME = 1e-6
 _ATTEMPTS = 12
 
 
@@ -151,6 +152,11 @@ def hypoid_profile(flanks: Mapping[int, Flank]) -> HypoidProfile:
             _refuse_pointed(profile, places)
             return profile
         radius *= _SMALLER
+    if any(np.any(side.circle(places).radius > (1 + _SAME) * side.radius) for side in profile.sides.values()):
+        raise GeometryError(
+            f"the {member.name}'s flanks are undercut so near the start of contact that the fillets below overlap; "
+            "use a smaller clearance factor, or a mean addendum factor that gives the pinion more profile shift"
+        )
     raise GeometryError(f"the fillets of neighbouring {member.name} teeth overlap; use a smaller fillet factor")
 
 
