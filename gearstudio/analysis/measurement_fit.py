@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from gearstudio.errors import GeometryError
 from gearstudio.theory.cones import MemberGeometry
-from gearstudio.theory.flank import InvoluteFlank
+from gearstudio.theory.flank import Flank
 from gearstudio.theory.involute import roll_arc
 from gearstudio.theory.modified import flank_on
 
@@ -65,7 +65,7 @@ def turned_back(member: MemberGeometry, points: Floats, tooth: Ints) -> Floats:
     return np.stack([c * x + s * y, c * y - s * x, points[:, 2]], axis=-1)
 
 
-def azimuth_lever(flank: InvoluteFlank, points: Floats) -> tuple[Floats, Floats]:
+def azimuth_lever(flank: Flank, points: Floats) -> tuple[Floats, Floats]:
     """Azimuth of points beyond the flank of the tooth at 0 [rad], and normal distance per azimuth [mm/rad], (n,)."""
     m = flank.member
     rho, delta, phi = flank.locate(points)
