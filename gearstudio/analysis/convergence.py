@@ -94,8 +94,10 @@ class ConvergenceStudy:
         return good
 
 
-def convergence_point(design: Design, member: str, method: str, count: int) -> ConvergencePoint:
-    """Build both flanks of a member with a given effort and measure them.
+def convergence_point(
+    design: Design, member: str, method: str, count: int, repetitions: int = _REPETITIONS
+) -> ConvergencePoint:
+    """Build both flanks of a member with a given effort and measure them; short ones are timed a few times.
 
     Raises
     ------
@@ -105,7 +107,7 @@ def convergence_point(design: Design, member: str, method: str, count: int) -> C
     from gearstudio.analysis.comparison import build_with_count
 
     results = [build_with_count(design, member, method, count, _SAMPLES)]
-    while results[0].seconds < _SHORT_S and len(results) < _REPETITIONS:
+    while results[0].seconds < _SHORT_S and len(results) < repetitions:
         results.append(build_with_count(design, member, method, count, _SAMPLES))
     result = results[0]
     return ConvergencePoint(

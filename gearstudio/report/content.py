@@ -83,7 +83,8 @@ def gather(
 
 def _studies(design: Design, member: MemberName) -> tuple[ConvergenceStudy, ...]:
     return tuple(
-        convergence_study(method, partial(convergence_point, design, member, method), _COUNTS) for method in METHOD_IDS
+        convergence_study(method, partial(convergence_point, design, member, method, repetitions=1), _COUNTS)
+        for method in METHOD_IDS
     )
 
 
