@@ -62,7 +62,17 @@ class InvoluteFlank:
         upper = m.limit_angle(m.tip_limit, rho_u)
         if self.foot is not None:
             return m.limit_angle(self.foot, rho_u), upper
-        return np.maximum(m.limit_angle(m.root_limit, rho_u), m.limit_angle(m.base_limit, rho_u)), upper
+        return self._lowest(rho_u), upper
+
+    def _lowest(self, rho_u: Floats) -> Floats:
+        """Root or base cone, whichever is higher; where they cross along the face, a line over both, without corner."""
+        m = self.member
+        ends = np.array([m.inner_cone_distance, m.outer_cone_distance])
+        base = m.base_angle
+        if m.root_limit.offset != 0.0 and np.prod(np.sign(m.limit_angle(m.root_limit, ends) - base)) < 0:
+            toe, heel = np.maximum(m.limit_angle(m.root_limit, ends), base)
+            return np.asarray(np.maximum(toe + (rho_u - ends[0]) / m.face_width * (heel - toe), base))
+        return np.maximum(m.limit_angle(m.root_limit, rho_u), m.limit_angle(m.base_limit, rho_u))
 
     @property
     def starts_on_base(self) -> bool:
