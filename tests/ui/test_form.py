@@ -12,8 +12,8 @@ from PySide6.QtWidgets import QApplication
 
 from gearstudio.design import field_specs
 from tests.ui.stand_ins import Bench
-from ui.fields import ChoiceField, NumberField
 from ui.explain import limits_text, tooltip
+from ui.fields import ChoiceField, NumberField
 
 pytestmark = pytest.mark.ui
 NUMBERS = [spec for spec in field_specs() if spec.kind in ("int", "float")]

@@ -6835,6 +6835,10 @@ Ein Ende ziehen ändert den Bereich, Doppelklick gibt ihn ein. Grau: kein Wert</
    <translation>das {0} eines Paars mit {1}</translation>
   </message>
   <message>
+   <source>the {0}'s flanks are undercut so near the start of contact that the fillets below overlap; use a smaller clearance factor, or a mean addendum factor that gives the pinion more profile shift</source>
+   <translation>Die Flanken ({0}) sind so nahe am Beginn des Eingriffs unterschnitten, dass sich die Fußrundungen darunter überschneiden; einen kleineren Kopfspielfaktor nehmen oder einen mittleren Kopfhöhenfaktor, der dem Ritzel mehr Profilverschiebung gibt</translation>
+  </message>
+  <message>
    <source>the {0}'s flanks are up to {1} µm from those of the design, which a rotating line cannot sweep; the faces are held against the flanks that it does sweep</source>
    <translation>die Flanken am {0} liegen bis {1} µm von denen des Entwurfs, die eine rollende Gerade nicht überstreicht; geprüft wird gegen die, die sie überstreicht</translation>
   </message>

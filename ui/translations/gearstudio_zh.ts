@@ -6835,6 +6835,10 @@ Drag an end of the bar to change the range, double-click to type it. Grey: no va
    <translation>{1}齿轮副的{0}</translation>
   </message>
   <message>
+   <source>the {0}'s flanks are undercut so near the start of contact that the fillets below overlap; use a smaller clearance factor, or a mean addendum factor that gives the pinion more profile shift</source>
+   <translation>{0}齿面在靠近啮合起点处根切，其下方的过渡圆角相互重叠；请用更小的顶隙系数，或使小轮变位更大的中点齿顶高系数</translation>
+  </message>
+  <message>
    <source>the {0}'s flanks are up to {1} µm from those of the design, which a rotating line cannot sweep; the faces are held against the flanks that it does sweep</source>
    <translation>{0}齿面与设计的相差至多 {1} µm，滚动直线无法扫出设计齿面；各面与其所能扫出的齿面比较</translation>
   </message>
