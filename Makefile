@@ -26,10 +26,15 @@ lint:
 	$(PY) -m ruff format --check .
 	$(PY) -m mypy
 
-# Some tests only: make unit T="tests/theory -k cone"
+# The core's tests on all cores, the window's one after the other. Some only: make unit T="tests/theory -k cone"
 unit:
 	@bash tools/bootstrap.sh dev
+ifdef T
 	bash tools/screen.sh $(PY) -m pytest $(T)
+else
+	bash tools/screen.sh $(PY) -m pytest -n auto --dist worksteal --ignore=tests/ui tests
+	bash tools/screen.sh $(PY) -m pytest tests/ui
+endif
 
 format:
 	@bash tools/bootstrap.sh dev
