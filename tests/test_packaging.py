@@ -20,11 +20,12 @@ PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
 
 
 def data_files() -> set[str]:
+    """All but code and the sources of the translations."""
     found = (path for package in PACKAGES for path in (ROOT / package).rglob("*") if path.is_file())
     return {
         path.relative_to(ROOT).as_posix()
         for path in found
-        if path.suffix not in (".py", ".pyc") and "__pycache__" not in path.parts and not path.name.startswith(".")
+        if path.suffix not in (".py", ".pyc", ".ts") and "__pycache__" not in path.parts and not path.name.startswith(".")
     }
 
 
