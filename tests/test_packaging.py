@@ -25,7 +25,9 @@ def data_files() -> set[str]:
     return {
         path.relative_to(ROOT).as_posix()
         for path in found
-        if path.suffix not in (".py", ".pyc", ".ts") and "__pycache__" not in path.parts and not path.name.startswith(".")
+        if path.suffix not in (".py", ".pyc", ".ts")
+        and "__pycache__" not in path.parts
+        and not path.name.startswith(".")
     }
 
 
