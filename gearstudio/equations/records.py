@@ -82,8 +82,14 @@ class Equation:
 
 
 def numbers_of(equation: Equation, pair: PairGeometry, member: str) -> Numbers | None:
-    """The numbers of a member put into an equation; None for one that stands without numbers."""
-    return None if equation.numbers is None else equation.numbers(Subject(pair, pair.member(member)))
+    """The numbers of a member put into an equation.
+
+    None for an equation that stands without numbers, and for all of them where the cones follow from an offset or
+    from depths of ISO 23509: the equations are those of the paper's bevel pairs.
+    """
+    if equation.numbers is None or pair.hypoid is not None:
+        return None
+    return equation.numbers(Subject(pair, pair.member(member)))
 
 
 def deg(symbol: str, angle: float) -> Given:

@@ -72,6 +72,13 @@ def _equations(content: Content, _: Store) -> list[Block]:
     blocks: list[Block] = [
         Text("As they are computed, in the order of the theory; beside a bar what the paper prints where that differs.")
     ]
+    if content.pair.hypoid is not None:
+        blocks.append(
+            Text(
+                "They are those of bevel pairs with depths from the module: this pair has others, so none of its "
+                "numbers are put in."
+            )
+        )
     group = ""
     for one in EQUATIONS:
         if one.group != group:

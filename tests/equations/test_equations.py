@@ -8,6 +8,7 @@ from hypothesis import given, settings
 from gearstudio.catalogue import MEMBERS
 from gearstudio.design import Design
 from gearstudio.equations import EQUATIONS, equation, numbers_of
+from gearstudio.presets import PRESETS
 from gearstudio.theory.cones import pair_geometry
 from tests.strategies import designs
 
@@ -60,3 +61,8 @@ def test_every_equation_with_numbers_has_them_for_both_members() -> None:
             if found is not None:
                 assert found.inputs and found.outputs
                 assert all(np.isfinite(g.value) for g in (*found.inputs, *found.outputs))
+
+
+def test_no_numbers_are_put_in_where_the_equations_do_not_hold() -> None:
+    pair = pair_geometry(next(preset.design for preset in PRESETS if preset.key == "hypoid-car"))
+    assert all(numbers_of(one, pair, name) is None for one in EQUATIONS for name in MEMBERS)
