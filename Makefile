@@ -26,15 +26,10 @@ lint:
 	$(PY) -m ruff format --check .
 	$(PY) -m mypy
 
-# The core's tests on all cores, the window's one after the other. Some only: make unit T="tests/theory -k cone"
+# All tests on all cores. Some only, one after the other: make unit T="tests/theory -k cone"
 unit:
 	@bash tools/bootstrap.sh dev
-ifdef T
-	bash tools/screen.sh $(PY) -m pytest $(T)
-else
-	bash tools/screen.sh $(PY) -m pytest -n auto --dist worksteal --ignore=tests/ui tests
-	bash tools/screen.sh $(PY) -m pytest tests/ui
-endif
+	bash tools/screen.sh $(PY) -m pytest $(or $(T),-n auto --dist worksteal)
 
 format:
 	@bash tools/bootstrap.sh dev
