@@ -18,7 +18,7 @@ def pytest_configure() -> None:
     """Every process of a parallel run has a screen of its own: windows would take each other's focus."""
     if os.environ.get("PYTEST_XDIST_WORKER") and shutil.which("Xvfb"):
         told, tell = os.pipe()
-        words = ["Xvfb", "-displayfd", str(tell), "-screen", "0", "1920x1200x24", "-nolisten", "tcp"]
+        words = ["Xvfb", "-displayfd", str(tell), "-screen", "0", "1600x1000x24", "-nolisten", "tcp"]
         screen = subprocess.Popen(words, pass_fds=(tell,), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         atexit.register(screen.kill)
         os.environ["DISPLAY"] = f":{os.read(told, 16).decode().strip()}"
