@@ -185,6 +185,8 @@ def _compute(body: ast.expr, names: dict[str, float]) -> float:
         raise ExpressionError(tr("The sum divides by zero")) from None
     except (InvalidExpression, ArithmeticError, ValueError, TypeError, RecursionError):
         raise ExpressionError(tr("The sum has no value: look at the arguments of its functions")) from None
+    if callable(value):
+        raise ExpressionError(tr("The sum has no value: look at the arguments of its functions"))
     if isinstance(value, complex) or not math.isfinite(value):
         raise ExpressionError(tr("The sum has no finite value"))
     return float(value)
