@@ -65,12 +65,11 @@ def child(origin: float) -> int:
             told.setdefault("exact_flanks", perf_counter() - origin)
             if complete and "all_methods" not in told:
                 told["all_methods"] = perf_counter() - origin
+                print(json.dumps(told), flush=True)
                 QTimer.singleShot(0, self.window.close)
 
     ui.app.Studio = Watched  # type: ignore[misc]
-    status = main.main([])
-    print(json.dumps(told))
-    return status
+    return main.main([])
 
 
 if __name__ == "__main__":

@@ -68,9 +68,7 @@ class ConjugateSide:
             return self.like.circle(rho_u)
         m, s = self.whole.member, self._series
         t = self._along(rho_u)
-        radius, azimuth, foot = (
-            np.asarray(chebyshev.chebval(t, c), dtype=np.float64) for c in (s.radius, s.centre_azimuth, s.foot_angle)
-        )
+        radius, azimuth, foot = chebyshev.chebval(t, np.stack([s.radius, s.centre_azimuth, s.foot_angle], axis=-1))
         return Circle(radius, m.limit_angle(m.root_limit, rho_u) + radius, azimuth, foot)
 
     def tip_azimuth(self, rho_u: Floats) -> Floats:
