@@ -12,15 +12,16 @@ from gearstudio.catalogue import MethodInfo, Variant
 from gearstudio.kernel.surfaces import Curve, curve_through, oriented, pipe, skin
 from gearstudio.methods.base import SAFETY, Construction, Refinement, Target, node_errors
 from gearstudio.results import ConstructionCurve
-from gearstudio.theory.flank import Flank
+from gearstudio.theory.flank import Flank, InvoluteFlank
 
 Floats = NDArray[np.float64]
 
 _CURVE_DEGREE = 5
 _PUBLISHED_POINTS = 15
 _SPINE_POINTS = 31
-_FIRST_POINTS = 11
-_FIRST_SECTIONS = 7
+_FIRST = (11, 7)
+_FIRST_ELSE = (15, 9)
+"""Points and sections to begin with, for an involute flank, and for another."""
 _DRAWN_POINTS = 60
 _GUIDE_PLACES = (0.0, 0.5, 1.0)
 _SKIN_SHARE = 0.02
@@ -58,7 +59,8 @@ class ProfileSweep:
 
     def _optimised(self, flank: Flank, target: Target) -> Construction:
         refinement = Refinement(self.info.id, SAFETY * target.tolerance, (_CURVE_DEGREE + 1, 7))
-        return refinement.run((_FIRST_POINTS, _FIRST_SECTIONS), lambda counts: self._attempt(flank, counts, target))
+        first = _FIRST if isinstance(flank, InvoluteFlank) else _FIRST_ELSE
+        return refinement.run(first, lambda counts: self._attempt(flank, counts, target))
 
     def _attempt(self, flank: Flank, counts: tuple[int, ...], target: Target) -> tuple[Construction, tuple[float, ...]]:
         points, sections = counts
