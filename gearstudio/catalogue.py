@@ -40,5 +40,8 @@ POINT_CLOUD = MethodInfo(
     "section 5",
     "A NURBS surface through discrete points on U and V lines",
 )
+PAPER_MEANS_UM = {ROTATING_LINE.id: 54.6, PROFILE_SWEEP.id: 60.3, POINT_CLOUD.id: 52.9}
+PAPER_RANGE_UM = (43.4, 71.3)
+"""What the paper states of its own gear, whose data it does not print (theory 9)."""
 METHOD_INFOS = (ROTATING_LINE, PROFILE_SWEEP, POINT_CLOUD)
 METHOD_IDS = tuple(info.id for info in METHOD_INFOS)

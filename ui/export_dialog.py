@@ -25,7 +25,7 @@ from PySide6.QtWidgets import (
 from gearstudio.catalogue import METHOD_IDS, VARIANTS
 from gearstudio.formats import FORMATS
 from gearstudio.jobs import CONSTRUCTIONS, ExportedFile, ExportJob
-from ui.export_options import OptionsPanel, StillCombo
+from ui.export_options import OptionsPanel
 from ui.fields import set_severity
 from ui.formatting import CONSTRUCTION_TITLES, MEMBER_TITLES, METHOD_TITLES, VARIANT_TITLES
 from ui.words import told, tr
@@ -265,7 +265,7 @@ def _size(size: int) -> str:
 
 
 def _combo(titles: dict[str, str], chosen: str) -> QComboBox:
-    combo = StillCombo()
+    combo = QComboBox()
     for identifier, title in titles.items():
         combo.addItem(tr(title), identifier)
     combo.setCurrentIndex(max(combo.findData(chosen), 0))

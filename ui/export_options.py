@@ -6,7 +6,6 @@ from collections.abc import Callable, Iterable, Mapping
 from typing import Any
 
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
-from PySide6.QtGui import QWheelEvent
 from PySide6.QtWidgets import (
     QCheckBox,
     QComboBox,
@@ -25,14 +24,6 @@ from ui.formatting import number_text, parse_number
 from ui.words import tr
 
 Editor = QComboBox | QCheckBox | QLineEdit
-
-
-class StillCombo(QComboBox):
-    """A choice that the wheel does not change."""
-
-    def wheelEvent(self, event: QWheelEvent) -> None:
-        """Leave the wheel to what scrolls."""
-        event.ignore()
 
 
 class OptionsPanel(QWidget):
@@ -165,7 +156,7 @@ class OptionsPanel(QWidget):
 
 
 def _combo(spec: OptionSpec, changed: Callable[[], None]) -> Editor:
-    combo = StillCombo()
+    combo = QComboBox()
     for value, title in spec.choices:
         combo.addItem(tr(title), value)
     combo.setCurrentIndex(combo.findData(spec.default))

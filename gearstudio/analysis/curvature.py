@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 from gearstudio.errors import GeometryError
 from gearstudio.nurbs import NurbsSurface, basis_matrix
 from gearstudio.theory.flank import Flank
+from gearstudio.theory.vectors import dot
 
 Floats = NDArray[np.float64]
 Derivatives = tuple[Floats, Floats, Floats, Floats, Floats]
@@ -133,15 +134,11 @@ def _curvature(points: Floats, derivatives: Derivatives, outward: Floats) -> Cur
     if np.any(area <= np.finfo(float).eps * np.linalg.norm(a, axis=-1, keepdims=True)):
         raise GeometryError("the surface has no tangent plane somewhere; it is folded or starts on the base cone")
     normal = normal / area
-    normal = np.where(_dot(normal, outward)[..., None] < 0, -normal, normal)
-    E, F, G = _dot(a, a), _dot(a, b), _dot(b, b)
-    L, M, N = -_dot(a_a, normal), -_dot(a_b, normal), -_dot(b_b, normal)
+    normal = np.where(dot(normal, outward)[..., None] < 0, -normal, normal)
+    E, F, G = dot(a, a), dot(a, b), dot(b, b)
+    L, M, N = -dot(a_a, normal), -dot(a_b, normal), -dot(b_b, normal)
     square = E * G - F * F
     gaussian = (L * N - M * M) / square
     mean = (E * N - 2 * F * M + G * L) / (2 * square)
     spread = np.sqrt(np.maximum(mean**2 - gaussian, 0.0))
     return CurvatureMap(points, normal, gaussian, mean, mean + spread, mean - spread)
-
-
-def _dot(a: Floats, b: Floats) -> Floats:
-    return np.asarray(np.sum(a * b, axis=-1))

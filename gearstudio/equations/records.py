@@ -11,6 +11,7 @@ import numpy as np
 from gearstudio.theory.cones import MemberGeometry, PairGeometry
 
 Unit = Literal["mm", "°", "rad", ""]
+_UNITS: dict[Unit, str] = {"": "", "°": '"°"', "mm": ' thin "mm"', "rad": ' thin "rad"'}
 
 
 @dataclass(frozen=True)
@@ -20,6 +21,12 @@ class Given:
     symbol: str
     value: float
     unit: Unit
+
+    def mathematics(self, digits: int) -> str:
+        """Symbol, value and unit as typst mathematics; whole numbers without a unit have no point."""
+        whole = not self.unit and self.value == int(self.value)
+        value = f"{self.value:.0f}" if whole else f"{self.value:.{digits}g}"
+        return f"{self.symbol} = {value}{_UNITS[self.unit]}"
 
 
 @dataclass(frozen=True)

@@ -10,15 +10,13 @@ from numpy.typing import NDArray
 from OCP.BRepAdaptor import BRepAdaptor_Surface
 from OCP.BRepTools import BRepTools
 from OCP.gp import gp_Pnt, gp_Pnt2d, gp_Vec
-from OCP.IFSelect import IFSelect_ReturnStatus
 from OCP.IntTools import IntTools_FClass2d
 from OCP.Standard import Standard_Failure
-from OCP.STEPControl import STEPControl_Reader
-from OCP.TopAbs import TopAbs_Orientation, TopAbs_ShapeEnum, TopAbs_State
-from OCP.TopoDS import TopoDS, TopoDS_Face
+from OCP.TopAbs import TopAbs_Orientation, TopAbs_State
+from OCP.TopoDS import TopoDS_Face
 
 from gearstudio.errors import FileError
-from gearstudio.kernel.cutting import parts
+from gearstudio.kernel.exchange import faces_of, read_step
 from gearstudio.kernel.step import settle
 
 Floats = NDArray[np.float64]
@@ -58,12 +56,10 @@ def read_faces(path: Path) -> list[TopoDS_Face]:
     settle()
     if not path.is_file():
         raise FileError(path, "there is no such file")
-    reader = STEPControl_Reader()
-    if reader.ReadFile(str(path)) != IFSelect_ReturnStatus.IFSelect_RetDone:
+    shape = read_step(path)
+    if shape is None:
         raise FileError(path, "the CAD kernel cannot read this as STEP")
-    reader.TransferRoots()
-    shape = reader.OneShape()
-    faces = [] if shape.IsNull() else [TopoDS.Face(face) for face in parts(shape, TopAbs_ShapeEnum.TopAbs_FACE)]
+    faces = [] if shape.IsNull() else faces_of(shape)
     if not faces:
         raise FileError(path, "there are no faces in it; points can be taken from solids and surfaces only")
     return faces

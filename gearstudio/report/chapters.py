@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from gearstudio.catalogue import MEMBERS
-from gearstudio.equations import EQUATIONS, Equation, Given, numbers_of
+from gearstudio.equations import EQUATIONS, Equation, numbers_of
 from gearstudio.report import contact_charts, exports, method_chapters
 from gearstudio.report.blocks import Block, Chapter, Formula, Heading, Table, Text, rows
 from gearstudio.report.content import Content
@@ -93,17 +93,10 @@ def _formula(one: Equation, content: Content) -> Formula:
     for member in MEMBERS:
         put = numbers_of(one, content.pair, member)
         if put is not None:
-            numbers.append((member, ", quad ".join(shown(given) for given in (*put.inputs, *put.outputs))))
+            numbers.append((member, ", quad ".join(given.mathematics(6) for given in (*put.inputs, *put.outputs))))
     departure = " ".join(part for part in (one.departure, one.evidence) if part)
     number = f"({one.paper})" if one.paper else f"theory {one.section}"
     return Formula(one.title, number, one.used, one.printed, prose(one.meaning), prose(departure), tuple(numbers))
-
-
-def shown(given: Given) -> str:
-    """A symbol with its value and unit, as typst mathematics."""
-    value = f"{given.value:.0f}" if not given.unit and given.value == int(given.value) else f"{given.value:.6g}"
-    unit = {"": "", "°": '"°"', "mm": ' thin "mm"', "rad": ' thin "rad"'}[given.unit]
-    return f"{given.symbol} = {value}{unit}"
 
 
 def _exports(content: Content, _: Store) -> list[Block]:

@@ -4,12 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 
-from gearstudio.catalogue import METHOD_INFOS, VARIANTS
+from gearstudio.catalogue import METHOD_INFOS, PAPER_MEANS_UM, VARIANTS
 from gearstudio.report.content import Content
 from gearstudio.report.style import COLORS, Frame, few_ticks, figure, svg
 from gearstudio.theory.flank import FLANKS
 
-PAPER_MEANS_UM = {"rotating_line": 54.6, "profile_sweep": 60.3, "point_cloud": 52.9}
 _SERIES = 7
 _LEAST_UM = 1e-5
 

@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 from gearstudio.analysis.convergence import COUNTED
-from gearstudio.catalogue import MEMBERS, METHOD_INFOS, VARIANTS, MemberName, Variant
+from gearstudio.catalogue import MEMBERS, METHOD_INFOS, PAPER_MEANS_UM, VARIANTS, MemberName, Variant
 from gearstudio.report import charts, maps
 from gearstudio.report.blocks import Block, Table, Text, rows
 from gearstudio.report.content import Content
 from gearstudio.report.store import Store
 from gearstudio.theory.flank import FLANKS
 
-_PUBLISHED = "The paper states means of 54.6, 60.3 and 52.9 µm for its own gear, whose data it does not print."
+_MEANS = " / ".join(f"{mean:g}" for mean in PAPER_MEANS_UM.values())
+_PUBLISHED = f"The paper states means of {_MEANS} µm for its own gear, whose data it does not print."
 _DIGITS = 3
 
 

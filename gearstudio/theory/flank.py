@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from gearstudio.errors import GeometryError
 from gearstudio.theory.cones import Limit, MemberGeometry
-from gearstudio.theory.flank_protocol import FLANKS, Flank, FlankName
+from gearstudio.theory.flank_protocol import FLANKS, Flank, FlankName, border_gap
 from gearstudio.theory.involute import (
     azimuth_from_arc,
     involute_azimuth,
@@ -18,6 +18,7 @@ from gearstudio.theory.involute import (
     start_azimuth,
     tangent_plane,
 )
+from gearstudio.theory.vectors import quarter, spherical
 
 Floats = NDArray[np.float64]
 __all__ = ["FLANKS", "Flank", "FlankName", "InvoluteFlank", "involute_flank", "quarter"]
@@ -175,9 +176,7 @@ class InvoluteFlank:
 
     def locate(self, points: ArrayLike) -> tuple[Floats, Floats, Floats]:
         """Spherical coordinates rho [mm], delta_k [rad], phi [rad] of points, shape (...) each (theory 1)."""
-        x, y, z = np.moveaxis(np.asarray(points, dtype=np.float64), -1, 0)
-        radius = np.hypot(x, y)
-        return np.hypot(radius, z), np.arctan2(radius, z), np.arctan2(y, x)
+        return spherical(points)
 
     def natural(self, points: ArrayLike) -> tuple[Floats, Floats]:
         """Natural coordinates (psi, rho) of the flank at points on or near it; not below the base cone, (...) each."""
@@ -228,12 +227,7 @@ class InvoluteFlank:
         -----
         Measured along the flank: polar angle times cone distance at root and tip, cone distance at toe and heel.
         """
-        rho, delta, _ = self.locate(points)
-        place = (self.member.end_distance(rho, delta) - self.member.inner_cone_distance) / self.member.face_width
-        ends = max(np.abs(place[:, 0]).max(), np.abs(place[:, -1] - 1.0).max()) * self.member.face_width
-        root = np.abs(delta[0] - self.limits(place[0])[0]) * rho[0]
-        tip = np.abs(delta[-1] - self.limits(place[-1])[1]) * rho[-1]
-        return float(max(ends, root.max(), tip.max()))
+        return border_gap(self, points)
 
     def _azimuth_deviation(self, rho: Floats, delta: Floats, phi: Floats) -> Floats:
         m = self.member
@@ -306,8 +300,3 @@ def involute_flank(member: MemberGeometry, name: FlankName) -> InvoluteFlank:
             f"a cutter of radius {member.lengthwise.cutter_radius:.6g} mm does not cross the whole face width"
         )
     return InvoluteFlank(member, member.hand if name == "concave" else -member.hand)
-
-
-def quarter(vectors: Floats) -> Floats:
-    """z x vectors: turned by a quarter about the axis, the axial part dropped."""
-    return np.stack([-vectors[..., 1], vectors[..., 0], np.zeros_like(vectors[..., 0])], axis=-1)

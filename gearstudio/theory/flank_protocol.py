@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from gearstudio.theory.cones import MemberGeometry
+from gearstudio.theory.vectors import spherical
 
 if TYPE_CHECKING:
     from gearstudio.theory.flank import InvoluteFlank
@@ -125,3 +126,14 @@ class Flank(Protocol):
     def normals_at(self, first: ArrayLike, second: ArrayLike, /) -> Floats:
         """Unit normals out of the metal at natural coordinates, shape (..., 3)."""
         ...
+
+
+def border_gap(flank: Flank, points: Floats) -> float:
+    """How far the border of a surface lies from the edges of a flank, for `Flank.edge_deviation`."""
+    m = flank.member
+    rho, delta, _ = spherical(points)
+    place = (m.end_distance(rho, delta) - m.inner_cone_distance) / m.face_width
+    ends = max(np.abs(place[:, 0]).max(), np.abs(place[:, -1] - 1.0).max()) * m.face_width
+    root = np.abs(delta[0] - flank.limits(place[0])[0]) * rho[0]
+    tip = np.abs(delta[-1] - flank.limits(place[-1])[1]) * rho[-1]
+    return float(max(ends, root.max(), tip.max()))

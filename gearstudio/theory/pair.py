@@ -7,8 +7,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from gearstudio.theory.cones import MemberGeometry, PairGeometry
 from gearstudio.theory.hypoid.ratios import contact_ratios
-from gearstudio.theory.hypoid.vectors import about_axis
 from gearstudio.theory.involute import involute_azimuth
+from gearstudio.theory.vectors import about_axis
 
 Floats = NDArray[np.float64]
 

@@ -51,3 +51,19 @@ def _no_view_is_left_open() -> Iterator[None]:
     for thing in left:
         thing.close()
     assert not left, "a test left 3D views open"
+
+
+@pytest.fixture
+def view(qtbot):
+    """The scene of solids in a view of its own."""
+    from ui.solid_view import SolidView
+    from ui.view_grid import ViewGrid
+
+    grid = ViewGrid()
+    grid.resize(900, 600)
+    grid.show()
+    qtbot.waitExposed(grid)
+    yield SolidView(grid)
+    grid.close_views()
+    grid.close()
+    grid.deleteLater()

@@ -35,21 +35,6 @@ def built():
     return {key: meshed(Design(), solid_of(Design(), key.member)) for key in KEYS}
 
 
-@pytest.fixture
-def view(qtbot):
-    from ui.solid_view import SolidView
-    from ui.view_grid import ViewGrid
-
-    grid = ViewGrid()
-    grid.resize(900, 600)
-    grid.show()
-    qtbot.waitExposed(grid)
-    yield SolidView(grid)
-    grid.close_views()
-    grid.close()
-    grid.deleteLater()
-
-
 @pytest.mark.parametrize("in_mesh", [False, True])
 def test_the_face_under_the_pointer_is_told_with_its_tooth_and_place(qtbot, view, built, in_mesh: bool) -> None:
     from ui.solid_layers import SolidOptions

@@ -35,21 +35,6 @@ def built():
     return {key: meshed(design, solid_of(design, key.member)) for key in PAIR_KEYS}
 
 
-@pytest.fixture
-def view(qtbot):
-    from ui.solid_view import SolidView
-    from ui.view_grid import ViewGrid
-
-    grid = ViewGrid()
-    grid.resize(900, 600)
-    grid.show()
-    qtbot.waitExposed(grid)
-    yield SolidView(grid)
-    grid.close_views()
-    grid.close()
-    grid.deleteLater()
-
-
 def show(view, built, keys=PAIR_KEYS, **options) -> None:
     from ui.solid_layers import SolidOptions
 

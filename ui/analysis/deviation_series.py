@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from gearstudio.catalogue import METHOD_IDS, VARIANTS
+from gearstudio.catalogue import METHOD_IDS, PAPER_MEANS_UM, PAPER_RANGE_UM, VARIANTS
 from ui.charts.records import (
     Axis,
     Band,
@@ -30,9 +30,6 @@ if TYPE_CHECKING:
 
 Floats = NDArray[np.float64]
 
-PAPER_MEANS_UM = {"rotating_line": 54.6, "profile_sweep": 60.3, "point_cloud": 52.9}
-PAPER_RANGE_UM = (43.4, 71.3)
-"""What the paper states of its own gear, whose data it does not print (theory 9)."""
 
 PATHS = (
     ("grid", "Point series", "7 × 7 points inside the flank: root to tip, then on towards the heel"),

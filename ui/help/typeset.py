@@ -10,8 +10,6 @@ from ui.words import tr
 if TYPE_CHECKING:
     from gearstudio.equations import Equation, Given, Numbers
 
-_UNITS = {"": "", "°": '"°"', "mm": ' thin "mm"', "rad": ' thin "rad"'}
-
 
 def drawing(equation: Equation, numbers: dict[str, Numbers], colors: Tokens, width_pt: float) -> bytes:
     """An equation with its departure and its numbers as SVG, so many points wide.
@@ -61,12 +59,7 @@ def _where(equation: Equation) -> str:
 
 
 def _values(given: tuple[Given, ...]) -> str:
-    return ", quad ".join(f"{one.symbol} = {_number(one)}{_UNITS[one.unit]}" for one in given)
-
-
-def _number(one: Given) -> str:
-    whole = not one.unit and one.value == int(one.value)
-    return f"{one.value:.0f}" if whole else f"{one.value:.8g}"
+    return ", quad ".join(one.mathematics(8) for one in given)
 
 
 def _quoted(text: str) -> str:

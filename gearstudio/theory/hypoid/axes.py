@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from gearstudio.theory.hypoid.pitch import PitchCones
-from gearstudio.theory.hypoid.vectors import about_axis
+from gearstudio.theory.vectors import about_axis
 
 Floats = NDArray[np.float64]
 

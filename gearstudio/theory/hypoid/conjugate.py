@@ -11,12 +11,13 @@ from numpy.typing import ArrayLike, NDArray
 from gearstudio.errors import GeometryError
 from gearstudio.theory.cones import MemberGeometry
 from gearstudio.theory.flank import FlankName, InvoluteFlank
+from gearstudio.theory.flank_protocol import border_gap
 from gearstudio.theory.hypoid.best_line import best_line
 from gearstudio.theory.hypoid.edge import StartOfContact, start_of_contact
 from gearstudio.theory.hypoid.envelope import Envelope
 from gearstudio.theory.hypoid.inverse import Guess, generating_point
 from gearstudio.theory.hypoid.pair import HypoidPair
-from gearstudio.theory.hypoid.vectors import dot, quarter
+from gearstudio.theory.vectors import dot, quarter, spherical
 
 Floats = NDArray[np.float64]
 
@@ -175,7 +176,7 @@ class ConjugateFlank:
 
     def locate(self, points: ArrayLike) -> tuple[Floats, Floats, Floats]:
         """Spherical coordinates rho [mm], delta_k [rad], phi [rad] about the pinion's pitch apex, (...) each."""
-        return self.touching.locate(points)
+        return spherical(points)
 
     def natural(self, points: ArrayLike) -> tuple[Floats, Floats]:
         """Natural coordinates of the flank at points on or near it, (...) each."""
@@ -223,13 +224,7 @@ class ConjugateFlank:
 
     def edge_deviation(self, points: Floats) -> float:
         """Farthest that the border of a surface (n_u, n_v, 3) lies from the edges of the working flank [mm]."""
-        m = self.member
-        rho, delta, _ = self.locate(points)
-        place = (m.end_distance(rho, delta) - m.inner_cone_distance) / m.face_width
-        ends = max(np.abs(place[:, 0]).max(), np.abs(place[:, -1] - 1.0).max()) * m.face_width
-        root = np.abs(delta[0] - self.limits(place[0])[0]) * rho[0]
-        tip = np.abs(delta[-1] - self.limits(place[-1])[1]) * rho[-1]
-        return float(max(ends, root.max(), tip.max()))
+        return border_gap(self, points)
 
     def _surface(self, psi: Floats, rho: Floats) -> tuple[Floats, Floats]:
         """Points and unit normals out of the metal at natural coordinates."""

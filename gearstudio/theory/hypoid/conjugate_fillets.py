@@ -17,8 +17,8 @@ from gearstudio.theory.hypoid.edge import StartOfContact
 from gearstudio.theory.hypoid.fillets import BEYOND, Circle, places
 from gearstudio.theory.hypoid.modified import ModifiedConjugate
 from gearstudio.theory.hypoid.undercut import LEAST_AREA_RATIO
-from gearstudio.theory.hypoid.vectors import dot, quarter
 from gearstudio.theory.relief import FlankRelief
+from gearstudio.theory.vectors import dot, quarter
 
 Floats = NDArray[np.float64]
 

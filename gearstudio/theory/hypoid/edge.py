@@ -11,8 +11,8 @@ from numpy.typing import ArrayLike, NDArray
 from gearstudio.errors import GeometryError
 from gearstudio.theory.cones import MemberGeometry
 from gearstudio.theory.hypoid.envelope import Envelope
-from gearstudio.theory.hypoid.vectors import dot
 from gearstudio.theory.involute import roll_arc
+from gearstudio.theory.vectors import dot
 
 Floats = NDArray[np.float64]
 

@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from gearstudio.theory.hypoid.conjugate import ConjugateFlank
-from gearstudio.theory.hypoid.vectors import cross, dot, quarter, turned, unit
 from gearstudio.theory.relief import FlankRelief
+from gearstudio.theory.vectors import cross, dot, quarter, turned, unit
 
 Floats = NDArray[np.float64]
 

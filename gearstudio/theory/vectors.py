@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 Floats = NDArray[np.float64]
 
@@ -35,8 +35,15 @@ def turned(vectors: Floats, angle: Floats) -> Floats:
 
 
 def quarter(vectors: Floats) -> Floats:
-    """z x vectors."""
+    """z x vectors: turned by a quarter about the axis, the axial part dropped."""
     return of(-vectors[..., 1], vectors[..., 0], np.float64(0.0))
+
+
+def spherical(points: ArrayLike) -> tuple[Floats, Floats, Floats]:
+    """Spherical coordinates rho [mm], delta_k [rad], phi [rad] of points, shape (...) each (theory 1)."""
+    x, y, z = np.moveaxis(np.asarray(points, dtype=np.float64), -1, 0)
+    radius = np.hypot(x, y)
+    return np.hypot(radius, z), np.arctan2(radius, z), np.arctan2(y, x)
 
 
 def unit(vectors: Floats) -> Floats:
