@@ -1,4 +1,5 @@
-"""Collects what the window says: its own words, the core's tables of words, and templates of the core's sentences."""
+"""Collects what the window and the report say: their own words, the core's tables of words, and templates of the core's
+sentences."""
 
 from __future__ import annotations
 
@@ -9,6 +10,8 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
 MARKS = {"tr", "noted", "inline"}
+_SHARED = ("gearstudio/words.py", "ui/vocabulary.py")
+"""Words that belong to sentences of the core, wherever they are shown."""
 _QUIET_WINDOW = {
     "diagnostics",
     "zebra",
@@ -22,7 +25,7 @@ _QUIET_WINDOW = {
     "sentences",
 }
 """Modules of the window whose tables are not for people, or for the command line."""
-_QUIET_CORE = ("cli", "equations", "presets", "catalogue", "formats", "design/model", "design/modifications", "report",
+_QUIET_CORE = ("cli", "equations", "presets", "catalogue", "formats", "design/model", "design/modifications",
                "exchange/stl", "exchange/threemf", "exchange/points", "analysis/datasheet", "analysis/selfcheck",
                "wire", "worker")  # fmt: skip
 """Modules of the core whose texts are tables (collected as such), files or output of the command line."""
@@ -49,52 +52,73 @@ def window_words() -> set[str]:
     return found
 
 
+def report_words() -> set[str]:
+    """English texts of the report: literals given to `tr` and its like, and the core's single words."""
+    files = (*sorted((ROOT / "gearstudio" / "report").rglob("*.py")), *(ROOT / name for name in _SHARED))
+    return {text for path in files for text in _marked(ast.parse(path.read_text(encoding="utf-8")))}
+
+
 def table_words() -> set[str]:
     """Titles, descriptions and other words that stand in the core's tables."""
-    from gearstudio.analysis.convergence import COUNTED
-    from gearstudio.analysis.datasheet import data_sheet
     from gearstudio.analysis.selfcheck import self_check
     from gearstudio.catalogue import METHOD_INFOS
-    from gearstudio.design import Design, all_field_specs
-    from gearstudio.equations import EQUATIONS
+    from gearstudio.design import all_field_specs
     from gearstudio.formats import OPTIONS
     from gearstudio.presets import PRESETS
     from gearstudio.report.sections import SECTIONS
-    from ui.formatting import choice_title
 
-    found: set[str] = set(COUNTED.values())
-    for spec in all_field_specs().values():
-        found |= {spec.title, spec.description, spec.group, *map(choice_title, spec.choices)}
+    found = {spec.description for spec in all_field_specs().values()} | {one.summary for one in SECTIONS}
     for preset in PRESETS:
         found |= {preset.title, preset.description}
     for info in METHOD_INFOS:
-        found |= {info.title, info.summary, info.paper_section}
-    for equation in EQUATIONS:
-        found |= {equation.title, equation.meaning, equation.departure, equation.evidence, equation.group}
-    for section in SECTIONS:
-        found |= {section.title, section.summary}
+        found |= {info.summary, info.paper_section}
     for option in OPTIONS.values():
         found |= {option.title, option.help, *(title for _, title in option.choices)}
+    for check in self_check():
+        found |= {check.source, *check.name.split(": ")}
+    return report_tables() | _worded(found)
+
+
+def report_tables() -> set[str]:
+    """Those words of the core's tables that the report shows too."""
+    from gearstudio.analysis.convergence import COUNTED
+    from gearstudio.analysis.datasheet import data_sheet
+    from gearstudio.catalogue import METHOD_INFOS
+    from gearstudio.design import Design, all_field_specs
+    from gearstudio.design.choices import choice_title
+    from gearstudio.equations import EQUATIONS
+    from gearstudio.presets import PRESETS
+    from gearstudio.report.sections import SECTIONS
+
+    found: set[str] = {*COUNTED.values(), *(info.title for info in METHOD_INFOS), *(one.title for one in SECTIONS)}
+    for spec in all_field_specs().values():
+        found |= {spec.title, spec.group, *map(choice_title, spec.choices)}
+    for equation in EQUATIONS:
+        found |= {equation.title, equation.meaning, equation.departure, equation.evidence, equation.group}
     for design in (Design(), *(preset.design for preset in PRESETS)):
         for quantity in data_sheet(design).quantities:
             found |= {quantity.name, quantity.group}
             if _IN_WORDS.search(_FUNCTION.sub("", quantity.formula)):
                 found.add(quantity.formula)
-    for check in self_check():
-        found |= {check.source, *check.name.split(": ")}
-    return {text for text in found if re.search("[A-Za-z]{2}", text)}
+    return _worded(found)
+
+
+def _worded(texts: set[str]) -> set[str]:
+    return {text for text in texts if re.search("[A-Za-z]{2}", text)}
 
 
 def core_sentences() -> set[str]:
-    """Templates of the core's messages: text with numbered holes, ``"{0} is not a finite number; {1}"``."""
+    """Templates of the core's messages: text with numbered holes, ``"{0} is not a finite number; {1}"``.
+
+    Of the window and of the report those of errors and of stages of work alone; all else they mark themselves.
+    """
     found: set[str] = set()
     for folder in ("gearstudio", "ui"):
         for path in sorted((ROOT / folder).rglob("*.py")):
             name = path.relative_to(ROOT / folder).as_posix()
-            if folder == "gearstudio" and not name.startswith(_QUIET_CORE):
-                found |= set(_templates(ast.parse(path.read_text(encoding="utf-8")), errors_only=False))
-            elif folder == "ui":
-                found |= set(_templates(ast.parse(path.read_text(encoding="utf-8")), errors_only=True))
+            if folder == "ui" or not name.startswith(_QUIET_CORE):
+                tree, marked = ast.parse(path.read_text(encoding="utf-8")), folder == "ui" or name.startswith("report/")
+                found |= set(_templates(tree, errors_only=marked))
     return _MORE_SENTENCES | {text for text in found if _SENTENCE.search(text) and not _NO_SENTENCE.search(text)}
 
 

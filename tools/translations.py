@@ -2,8 +2,11 @@
 
 ``update`` collects the texts of the source into ``ui/translations/*.ts`` (translations are kept, texts that are gone
 are dropped) and the templates of the core's sentences into ``sentences.json``; ``release`` makes the ``.qm`` files that
-the window loads; ``missing`` lists what lacks a translation, as JSON; ``fill`` puts translations in, from JSON files
-such as ``{"de": {"English": "Deutsch"}}``.
+the window loads and the catalogues of the report; ``missing`` lists what lacks a translation, as JSON; ``fill`` puts
+translations in, from JSON files such as ``{"de": {"English": "Deutsch"}}``.
+
+A text that ``gearstudio/report`` says with ``tr`` is collected like one of the window: the .ts files are the one place
+for translations. The core knows no Qt, so `release` copies what the report may say from them.
 """
 
 from __future__ import annotations
@@ -19,9 +22,10 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT))
 
-from tools.collecting import core_sentences, table_words, window_words  # noqa: E402
+from tools.collecting import core_sentences, report_tables, report_words, table_words, window_words  # noqa: E402
 
 FOLDER = ROOT / "ui" / "translations"
+CATALOGUES = ROOT / "gearstudio" / "report" / "words"
 LANGUAGES = {"de": "de_DE", "zh": "zh_CN"}
 WORDS, SENTENCES = "GearStudio", "Sentences"
 Texts = dict[str, dict[str, str]]
@@ -30,7 +34,7 @@ Texts = dict[str, dict[str, str]]
 
 def collected() -> dict[str, list[str]]:
     """The texts of the source by context, sorted."""
-    return {WORDS: sorted(window_words() | table_words()), SENTENCES: sorted(core_sentences())}
+    return {WORDS: sorted(window_words() | report_words() | table_words()), SENTENCES: sorted(core_sentences())}
 
 
 def ts_path(language: str) -> Path:
@@ -103,8 +107,20 @@ def fill(path: Path) -> int:
     return count
 
 
-def release(folder: Path = FOLDER) -> None:
-    """Make the .qm files with Qt's lrelease."""
+def catalogue(language: str) -> str:
+    """What the report says in a language, as JSON."""
+    texts = read_ts(ts_path(language))
+    used = report_words() | report_tables()
+    words = {text: said for text, said in texts[WORDS].items() if said and text in used}
+    sentences = {text: said for text, said in texts[SENTENCES].items() if said}
+    return json.dumps({"words": words, "sentences": sentences}, ensure_ascii=False, indent=0) + "\n"
+
+
+def release(folder: Path = FOLDER, catalogues: Path = CATALOGUES) -> None:
+    """Make the .qm files with Qt's lrelease, and the catalogues of the report."""
+    catalogues.mkdir(exist_ok=True)
+    for language in LANGUAGES:
+        (catalogues / f"{language}.json").write_text(catalogue(language), encoding="utf-8")
     import PySide6
 
     names = ("lrelease", "lrelease.exe", "Qt/libexec/lrelease")

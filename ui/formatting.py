@@ -9,6 +9,7 @@ from html import escape
 from typing import Any
 
 from gearstudio.catalogue import METHOD_INFOS
+from gearstudio.design.choices import choice_title as choice_title
 from ui.words import tr
 
 MINUS = "\N{MINUS SIGN}"
@@ -18,22 +19,6 @@ METHOD_TITLES = {info.id: info.title for info in METHOD_INFOS}
 VARIANT_TITLES = {"published": "Published", "optimised": "Optimised"}
 MEMBER_TITLES = {"pinion": "Pinion", "wheel": "Wheel"}
 CONSTRUCTION_TITLES = {"assemble": "Assembled from its faces", "cut": "Cut from the blank (slow)"}
-CHOICE_TITLES = {
-    "normal": "Normal, mean point",
-    "transverse": "Transverse",
-    "left": "Left hand",
-    "right": "Right hand",
-    "archimedean": "Archimedean spiral",
-    "circular_arc": "Circular arc (milled)",
-    "logarithmic": "Logarithmic spiral",
-    "mean": "Mean, pitch cone",
-    "toe": "Toe, base cone",
-    "common_apex": "Common apex",
-    "constant_clearance": "Constant clearance",
-    "back_cone": "Back cones",
-    "sphere": "Spheres",
-    "iso23509": "ISO 23509",
-}
 
 
 def significant(value: float, digits: int = 3, most_decimals: int = 9) -> str:
@@ -106,11 +91,6 @@ def _setting(value: Any) -> str:
     if isinstance(value, Mapping):
         return f"({settings_text(value)})"
     return tr(value) if isinstance(value, str) else str(value)
-
-
-def choice_title(value: str) -> str:
-    """A choice of the design file in words."""
-    return CHOICE_TITLES.get(value, value.replace("_", " ").capitalize())
 
 
 def number_text(value: float | int) -> str:

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from PySide6.QtCore import QCoreApplication
 
+from gearstudio.words import noted as noted
+
 CONTEXT = "GearStudio"
 
 
@@ -15,11 +17,6 @@ def tr(text: str, /, **values: object) -> str:
     """
     said = QCoreApplication.translate(CONTEXT, text) if text else ""
     return said.format(**values) if values else said
-
-
-def noted(text: str, /) -> str:
-    """The text as it is: marks a literal that is translated where it is shown."""
-    return text
 
 
 def inline(text: str, /) -> str:

@@ -16,7 +16,8 @@ from gearstudio.validation import read_design
 from tests.ui.stand_ins import Bench
 from tools import translations
 from ui.language import install, language_of_system
-from ui.sentences import compiled, templates, translated
+from gearstudio.words import compiled
+from ui.sentences import templates, translated
 from ui.words import inline, told, tr
 
 HOLE = re.compile(r"\{[^}]*\}")
