@@ -107,9 +107,8 @@ def contact_table(
 
 
 def _pinion_pattern(grid: PinionGrid, gap: Floats) -> FlankPattern:
-    points = grid.points(grid.u, grid.v)
-    rho, delta, _ = grid.flank.locate(points)
-    return FlankPattern("pinion", grid.flank.name, points, rho, np.degrees(delta), gap)
+    rho, delta, _ = grid.flank.locate(grid.nodes)
+    return FlankPattern("pinion", grid.flank.name, grid.nodes, rho, np.degrees(delta), gap)
 
 
 def _wheel_pattern(mesh: FlankMesh, eased: EaseOff, gap: Floats) -> FlankPattern:

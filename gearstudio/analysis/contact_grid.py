@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from gearstudio.analysis.contact_placing import FlankMesh, Meeting
+from gearstudio.analysis.contact_placing import FlankMesh, Meeting, Misalignment
+from gearstudio.analysis.contact_series import FlankSeries, flank_series
 from gearstudio.errors import GeometryError
 from gearstudio.theory.flank import Flank
 
@@ -21,6 +23,7 @@ _FARTHEST = 0.5
 _EDGE_SLACK = 1e-3
 _CORRECTIONS = 2
 _BESIDE = 1e-6
+_KEPT = 8
 
 
 @dataclass(frozen=True)
@@ -34,21 +37,29 @@ class PinionGrid:
         Of the pinion.
     u : ndarray, shape (n_u, n_v)
     v : ndarray, shape (n_v,)
+    nodes : ndarray, shape (n_u, n_v, 3)
+        Points of the grid [mm].
+    contact_turn : ndarray, shape (n_u, n_v)
+        phi_1 at which each point touches in the perfect pair [rad].
+    series : FlankSeries or None
+        The flank as polynomials.
     """
 
     mesh: FlankMesh
     flank: Flank
     u: Floats
     v: Floats
-
-    @property
-    def contact_turn(self) -> Floats:
-        """phi_1 at which each point touches in the perfect pair [rad], shape (n_u, n_v)."""
-        return self.mesh.contact_turn(*self.flank.coordinates(self.u, self.v))
+    nodes: Floats
+    contact_turn: Floats
+    series: FlankSeries | None
 
     def points(self, u: ArrayLike, v: ArrayLike) -> Floats:
         """Points of the flank, shape (..., 3) [mm]."""
         return self.flank.points(u, v)
+
+    def points_near(self, u: Floats, v: Floats) -> Floats:
+        """Points of the flank, by its series where it has one, shape (..., 3) [mm]."""
+        return self.flank.points(u, v) if self.series is None else self.series.points(u, v)
 
 
 def pinion_grid(mesh: FlankMesh, shape: tuple[int, int]) -> PinionGrid:
@@ -56,16 +67,23 @@ def pinion_grid(mesh: FlankMesh, shape: tuple[int, int]) -> PinionGrid:
     n_u, n_v = shape
     if n_u < 3 or n_v < 3:
         raise GeometryError(f"a grid of {n_u} x {n_v} points is too coarse for a contact analysis; use 3 or more")
+    return replace(_grid_in_place(replace(mesh, misalignment=Misalignment()), n_u, n_v), mesh=mesh)
+
+
+@lru_cache(maxsize=_KEPT)
+def _grid_in_place(mesh: FlankMesh, n_u: int, n_v: int) -> PinionGrid:
+    """The grid of a mesh without misalignment, which none changes."""
     v = np.linspace(0.0, 1.0, n_v)
     start = mesh.start_of_contact(v)
     dead = int(np.ceil(start.max() * (n_u - 1) / 2))
     below = np.linspace(0.0, 1.0, dead, endpoint=False)[:, None] * start
-    return PinionGrid(
-        mesh,
-        mesh.pinion_flank,
-        np.concatenate([below, start + np.linspace(0.0, 1.0, n_u - dead)[:, None] * (1 - start)]),
-        v,
-    )
+    u = np.concatenate([below, start + np.linspace(0.0, 1.0, n_u - dead)[:, None] * (1 - start)])
+    flank = mesh.pinion_flank
+    psi, rho = flank.coordinates(u, v)
+    nodes, turn = flank.at(psi, rho), mesh.contact_turn(psi, rho)
+    for shared in (u, v, nodes, turn):
+        shared.setflags(write=False)
+    return PinionGrid(mesh, flank, u, v, nodes, turn, flank_series(flank))
 
 
 def bounded_lag(mesh: FlankMesh, met: Meeting) -> Floats:
@@ -94,7 +112,7 @@ def closer(grid: PinionGrid, u: Floats, v: Floats, turn: Floats) -> tuple[Floats
         near_v = v[:, None] + ahead
         inset = _EDGE_SLACK * edges.cell * step_u[:, None] / du
         near_u, near_v = edges.within(grid, *_clipped(near_u, near_v), turn[:, None], inset)
-        found = bounded_lag(mesh, mesh.meet(grid.points(near_u, near_v), turn[:, None]))
+        found = bounded_lag(mesh, mesh.meet(grid.points_near(near_u, near_v), turn[:, None]))
         best = np.argmin(found, axis=1)
         better = found[each, best] < lag
         u, v = np.where(better, near_u[each, best], u), np.where(better, near_v[each, best], v)
@@ -122,7 +140,7 @@ class _Edges:
         """By differences over a cell of the grid, taken inward."""
         step_u, step_v = np.where(u < 0.5, du, -du), np.where(v < 0.5, dv, -dv)
         places = np.stack([u, u + step_u, u]), np.stack([v, v, v + step_v])
-        tip, _, toe, _ = grid.mesh.margins(grid.mesh.meet(grid.points(*places), turn))
+        tip, _, toe, _ = grid.mesh.margins(grid.mesh.place(grid.points_near(*places), turn))
         by_u, by_v, end = (tip[1] - tip[0]) / step_u, (tip[2] - tip[0]) / step_v, (toe[2] - toe[0]) / step_v
         reached = grid.mesh.contact_turn(*grid.flank.coordinates(*places))
         slope = -(reached[2] - reached[0]) / step_v / ((reached[1] - reached[0]) / step_u)
@@ -132,7 +150,7 @@ class _Edges:
     def within(self, grid: PinionGrid, u: Floats, v: Floats, turn: Floats, inset: Floats) -> tuple[Floats, Floats]:
         """Places beyond an edge moved inside by the inset: of the ends along the face, then of the tip."""
         for _ in range(_CORRECTIONS):
-            tip, _, toe, heel = grid.mesh.margins(grid.mesh.meet(grid.points(u, v), turn))
+            tip, _, toe, heel = grid.mesh.margins(grid.mesh.place(grid.points_near(u, v), turn))
             ahead = np.where(toe < 0, inset - toe, 0.0) - np.where(heel < 0, inset - heel, 0.0)
             ahead /= self.end_by_v
             tip += self.tip_by_v * ahead

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -11,9 +11,9 @@ from numpy.typing import ArrayLike, NDArray
 from gearstudio.analysis.contact_placing import FlankMesh
 from gearstudio.theory.flank import Flank
 from gearstudio.theory.hypoid.axes import Axes
-from gearstudio.theory.hypoid.conjugate import ConjugateFlank, pinion_flank
+from gearstudio.theory.hypoid.conjugate import ConjugateFlank
 from gearstudio.theory.hypoid.pair import HypoidPair
-from gearstudio.theory.modified import flank_on, swept_on
+from gearstudio.theory.modified import conjugate_on, flank_on, swept_on
 
 Floats = NDArray[np.float64]
 
@@ -38,7 +38,7 @@ class HypoidMesh(FlankMesh):
             points = self.pinion_flank.at(psi, rho)
             psi, rho = self._conjugate.natural(points)
         envelope = self._conjugate.envelope
-        turn = envelope.at(psi, rho).wheel_turn
+        turn = envelope.wheel_turn(psi, rho)
         return np.asarray(self.side * envelope.thinning - envelope.ratio * turn)
 
     def start_of_contact(self, v: ArrayLike) -> Floats:
@@ -62,7 +62,7 @@ class HypoidMesh(FlankMesh):
 
     @cached_property
     def _conjugate(self) -> ConjugateFlank:
-        return pinion_flank(self._hypoid, self._hypoid.flank_name("pinion", self.side))
+        return conjugate_on(replace(self.pair.pinion, reliefs=(None, None)), self.side)
 
     @cached_property
     def _axes(self) -> Axes:

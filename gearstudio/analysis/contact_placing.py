@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -42,19 +43,15 @@ class Misalignment:
 
 
 @dataclass(frozen=True)
-class Meeting:
-    """Pinion points as seen from the wheel tooth that they face, all of one shape.
+class Place:
+    """Where pinion points are about the wheel's axis, all of one shape.
 
     Attributes
     ----------
-    lag : ndarray
-        Angle by which the wheel tooth would have to turn, against the drive, to touch the point [rad]; its
-        place at phi_2 = -phi_1 z_1/z_2 without backlash is 0, and less than 0 is inside the metal.
     rho, radius, height : ndarray
         Distance from the wheel's apex and axis, and height above the apex [mm].
     """
 
-    lag: Floats
     rho: Floats
     radius: Floats
     height: Floats
@@ -63,6 +60,20 @@ class Meeting:
     def polar_angle(self) -> Floats:
         """delta_k on the wheel [rad]."""
         return np.asarray(np.arctan2(self.radius, self.height))
+
+
+@dataclass(frozen=True)
+class Meeting(Place):
+    """Pinion points as seen from the wheel tooth that they face.
+
+    Attributes
+    ----------
+    lag : ndarray
+        Angle by which the wheel tooth would have to turn, against the drive, to touch the point [rad]; its
+        place at phi_2 = -phi_1 z_1/z_2 without backlash is 0, and less than 0 is inside the metal.
+    """
+
+    lag: Floats
 
 
 @dataclass(frozen=True)
@@ -81,23 +92,23 @@ class FlankMesh:
     side: int
     misalignment: Misalignment = Misalignment()
 
-    @property
+    @cached_property
     def wheel(self) -> MemberGeometry:
         """The wheel as this flank of it has it."""
         return flank_member(self.pair.wheel, self.side)
 
-    @property
+    @cached_property
     def pinion_flank(self) -> Flank:
         """The flank of the pinion; raises GeometryError as `involute_flank`."""
         return flank_of(self.pair.pinion, _name(self.pair.pinion, self.side))
 
-    @property
+    @cached_property
     def wheel_flank(self) -> InvoluteFlank:
         """The flank of the wheel; raises GeometryError as `involute_flank`."""
         flank_of(self.pair.wheel, _name(self.pair.wheel, self.side))
         return swept_on(self.pair.wheel, self.side)
 
-    @property
+    @cached_property
     def play(self) -> float:
         """Lag of the perfect pair: the backlash of this side as an angle of the wheel [rad]."""
         pinion, wheel = self.pair.pinion, self.pair.wheel
@@ -144,9 +155,15 @@ class FlankMesh:
         radius, relief = np.sqrt(square), relief_on(wheel, side)
         if relief is not None:
             lag += relief.value(rho, np.arctan2(radius, z)) / self.lever(rho)
-        return Meeting(lag, rho, radius, z)
+        return Meeting(rho, radius, z, lag)
 
-    def margins(self, met: Meeting) -> tuple[Floats, Floats, Floats, Floats]:
+    def place(self, points: Floats, turn: ArrayLike) -> Place:
+        """As `meet`, without the lag."""
+        x, y, z = self._world(points, turn)
+        square = x * x + y * y
+        return Place(np.sqrt(square + z * z), np.sqrt(square), z)
+
+    def margins(self, met: Place) -> tuple[Floats, Floats, Floats, Floats]:
         """Distances of points from the wheel flank's tip, lower edge, toe and heel, positive inside [mm]."""
         wheel = self.wheel
         tip, root, base = wheel.tip_limit, wheel.root_limit, wheel.base_limit
@@ -166,7 +183,7 @@ class FlankMesh:
             wheel.outer_cone_distance - end,
         )
 
-    def least_margin(self, met: Meeting, longer: float = 0.0) -> Floats:
+    def least_margin(self, met: Place, longer: float = 0.0) -> Floats:
         """Distance of points from the nearest edge of the wheel flank, negative where it has none [mm].
 
         ``longer`` is by how much the face width goes on at either end [mm].
@@ -209,7 +226,7 @@ class FlankMesh:
         first, last = (polar_angle(flank.coordinates(u, v)[0], base) for u in (self.start_of_contact(v), 1.0))
         return first, last
 
-    def on_wheel(self, met: Meeting) -> Floats:
+    def on_wheel(self, met: Place) -> Floats:
         """Points of the wheel flank, of the tooth at azimuth 0, that pinion points face, shape (..., 3)."""
         flank, wheel = self.wheel_flank, self.wheel
         return flank.points_at(met.rho, np.clip(met.polar_angle, wheel.base_angle, np.pi - wheel.base_angle))

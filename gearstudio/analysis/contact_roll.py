@@ -100,7 +100,7 @@ def roll(grid: PinionGrid, positions: int) -> Roll:
     low, high = low - _MARGIN * pitch, high + _MARGIN * pitch
     per_pitch = max(_LEAST_PER_PITCH, int((positions - 1) * pitch / (high - low)))
     turn = np.arange(np.floor(low / pitch * per_pitch), np.ceil(high / pitch * per_pitch) + 1) * (pitch / per_pitch)
-    points = np.ascontiguousarray(grid.points(grid.u, grid.v).reshape(-1, 3).T).T
+    points = np.ascontiguousarray(grid.nodes.reshape(-1, 3).T).T
     best = np.array([_first_touch(mesh, points, one) for one in turn])
     touched = best >= 0
     row, column = np.divmod(np.maximum(best, 0), len(grid.v))

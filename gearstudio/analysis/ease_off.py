@@ -56,7 +56,7 @@ class EaseOff:
 
 def ease_off(grid: PinionGrid) -> EaseOff:
     """The ease-off over a pinion grid; arrays of shape (n_u, n_v)."""
-    return ease_off_at(grid.mesh, grid.points(grid.u, grid.v), grid.contact_turn)
+    return ease_off_at(grid.mesh, grid.nodes, grid.contact_turn)
 
 
 def ease_off_at(mesh: FlankMesh, points: Floats, turn: Floats) -> EaseOff:

@@ -32,6 +32,16 @@ class ModifiedFlank(InvoluteFlank):
     relief: FlankRelief | None = None
 
     @property
+    def plain(self) -> InvoluteFlank:
+        """The flank without micro-geometry."""
+        return self.swept
+
+    def turning(self, psi: ArrayLike, rho: ArrayLike) -> Floats:
+        """Azimuth by which metal taken off turns the point at natural coordinates [rad/mm]."""
+        psi, rho = np.broadcast_arrays(np.asarray(psi, dtype=np.float64), np.asarray(rho, dtype=np.float64))
+        return -self.side * _lever_inverse(self.member, rho)[0]
+
+    @property
     def swept(self) -> InvoluteFlank:
         """The flank without micro-geometry: no rigid line sweeps this one."""
         return InvoluteFlank(self.member, self.side, self.foot)
@@ -158,7 +168,7 @@ def flank_on(member: MemberGeometry, side: int, foot: Limit | None = None) -> Fl
     The pinion of a pair with offset axes has conjugate flanks, which begin where contact does: without ``foot``.
     """
     if member.hypoid is not None and member.name == "pinion":
-        return _conjugate(member, side)
+        return conjugate_on(member, side)
     return swept_on(member, side, foot)
 
 
@@ -178,7 +188,8 @@ def flank_member(member: MemberGeometry, side: int) -> MemberGeometry:
 
 
 @lru_cache(maxsize=64)
-def _conjugate(member: MemberGeometry, side: int) -> ConjugateFlank:
+def conjugate_on(member: MemberGeometry, side: int) -> ConjugateFlank:
+    """The conjugate flank of the pinion of a pair with offset axes, with micro-geometry; remembered."""
     assert member.hypoid is not None
     own, relief = flank_member(member, side), relief_on(member, side)
     flank = pinion_flank(member.hypoid, member.hypoid.flank_name("pinion", side))

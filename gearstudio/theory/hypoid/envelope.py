@@ -181,6 +181,12 @@ class Envelope:
         _refuse_missed(turn)
         return self._to_pinion(turned(w.point, turn) - self._reach, self._wheel_turn(turn))
 
+    def wheel_turn(self, psi: ArrayLike, rho: ArrayLike) -> Floats:
+        """phi_2 [rad] at which the wheel's points at natural coordinates touch, shape (...); raises as `at`."""
+        turn, _ = self._turn(self.wheel_point(psi, rho))
+        _refuse_missed(turn)
+        return self._wheel_turn(turn)
+
     @cached_property
     def _reach(self) -> Floats:
         """d = A_1 - A_2."""

@@ -36,6 +36,16 @@ class ModifiedConjugate(ConjugateFlank):
         taken = self.relief.value(distance, delta) / dot(quarter(made.point), made.normal)
         return turned(made.point, -taken)
 
+    @property
+    def plain(self) -> ConjugateFlank:
+        """The flank without micro-geometry."""
+        return ConjugateFlank(self.member, self.side, self.envelope, self.raised, self.lower)
+
+    def turning(self, psi: ArrayLike, rho: ArrayLike) -> Floats:
+        """Azimuth by which metal taken off turns the point at natural coordinates [rad/mm]."""
+        made = self.envelope.at(psi, rho)
+        return np.asarray(-1 / dot(quarter(made.point), made.normal))
+
     def normals_at(self, psi: ArrayLike, rho: ArrayLike, /) -> Floats:
         """Unit normals out of the metal at natural coordinates, shape (..., 3)."""
         psi, rho = np.broadcast_arrays(np.asarray(psi, dtype=np.float64), np.asarray(rho, dtype=np.float64))
