@@ -66,9 +66,46 @@ def transverse_angle(s: Subject) -> Numbers:
 def depths(s: Subject) -> Numbers:
     """Face and root cone angles from the depths at the heel."""
     m = s.member
+    given = (deg("delta", m.pitch_angle), mm("h_(f e)", m.dedendum), mm("R", m.outer_cone_distance))
+    root = deg("delta_f", m.root_angle)
+    if m.tip_limit.offset:
+        return Numbers(given, (root,))
+    return Numbers((mm("h_(a e)", m.addendum), *given), (deg("delta_a", m.tip_angle), root))
+
+
+def face(s: Subject) -> Numbers:
+    """Cone distances of the ends."""
+    m = s.member
+    return Numbers((mm("R", m.outer_cone_distance), mm("B", m.face_width)), (mm("R - B", m.inner_cone_distance),))
+
+
+def turn(s: Subject) -> Numbers | None:
+    """Turn of the sections at toe and heel against the mean point's."""
+    m = s.member
+    if s.is_conjugate:
+        return None
+    places = [m.inner_cone_distance, m.outer_cone_distance]
+    low, high = (float(theta) for theta in m.lengthwise.azimuth(places))
+    sine = m.hand * float(np.sin(m.pitch_angle))
     return Numbers(
-        (mm("h_(a e)", m.addendum), mm("h_(f e)", m.dedendum), mm("R", m.outer_cone_distance)),
-        (deg("delta_a", m.tip_angle), deg("delta_f", m.root_angle)),
+        (
+            pure('"hand"', m.hand),
+            deg("delta", m.pitch_angle),
+            rad("psi_t (R - B)", low * sine),
+            rad("psi_t (R)", high * sine),
+        ),
+        (rad("theta(R - B)", low), rad("theta(R)", high)),
+    )
+
+
+def toe_spiral(s: Subject) -> Numbers:
+    """The spiral angle at the toe on the base cone."""
+    m = s.member
+    spiral = float(m.lengthwise.spiral_angle(m.inner_cone_distance))
+    angle = float(np.arctan(np.sin(m.base_angle) / np.sin(m.pitch_angle) * np.tan(spiral)))
+    return Numbers(
+        (deg("delta", m.pitch_angle), deg("delta_b", m.base_angle), deg("beta_i", abs(spiral))),
+        (deg("beta_0", abs(angle)),),
     )
 
 
@@ -98,10 +135,20 @@ def roll_range(s: Subject) -> Numbers:
 
 
 def half_thickness(s: Subject) -> Numbers:
-    """Half the tooth's azimuth on the pitch cone."""
-    m = s.member
+    """Half the tooth's azimuth on the pitch cone; shift and backlash follow from depths and thickness."""
+    m, alpha = s.member, s.member.transverse_pressure_angle
+    shift = (m.addendum - s.mate.addendum) / (2 * m.module)
+    full = (np.pi / 2 + 2 * shift * np.tan(alpha)) / m.teeth
+    play = 2 * m.module * m.teeth * (full - m.half_tooth_azimuth)
     return Numbers(
-        (pure("z", m.teeth), deg("alpha", m.transverse_pressure_angle)), (rad('"half"', m.half_tooth_azimuth),)
+        (
+            pure("z", m.teeth),
+            deg("alpha", alpha),
+            pure("x", shift),
+            mm("j_t", round(float(play), 12)),
+            mm("m", m.module),
+        ),
+        (rad('"half"', m.half_tooth_azimuth),),
     )
 
 
@@ -127,15 +174,21 @@ def fillet(s: Subject) -> Numbers:
     """Fillet radius on the heel sphere."""
     m = s.member
     return Numbers(
-        (mm("m_n", s.pair.mean_normal_module), mm("R", m.outer_cone_distance)),
+        (
+            pure("f", m.fillet_radius / s.pair.mean_normal_module),
+            mm("m_n", s.pair.mean_normal_module),
+            mm("R", m.outer_cone_distance),
+        ),
         (mm("R_f", m.fillet_radius), rad("epsilon", m.fillet_angle)),
     )
 
 
-def spiral_angle(s: Subject) -> Numbers:
+def spiral_angle(s: Subject) -> Numbers | None:
     """Spiral angles on the pitch cone at toe, mean and heel."""
     m = s.member
-    places = (("i", m.inner_cone_distance), ("m", m.mean_cone_distance), ("e", m.outer_cone_distance))
+    if s.is_conjugate:
+        return None
+    places = (("i", m.inner_cone_distance), ("m", m.lengthwise.mean_cone_distance), ("e", m.outer_cone_distance))
     given = (mm("r_0", m.lengthwise.cutter_radius),) if m.lengthwise.law == "circular_arc" else ()
     return Numbers(
         (*given, *(mm(f"R_{place}", rho) for place, rho in places)),
@@ -150,8 +203,10 @@ def contact_ratio(s: Subject) -> Numbers:
         (
             deg("gamma_1", pinion.gamma),
             deg("gamma_2", wheel.gamma),
-            deg("delta_(a 1)", pinion.tip_angle),
-            deg("delta_(a 2)", wheel.tip_angle),
+            *(
+                deg(f"delta_(a {k})", float(m.tip_limit.at_sphere(m.outer_cone_distance)))
+                for k, m in ((1, pinion), (2, wheel))
+            ),
         ),
         (
             pure("epsilon_alpha", transverse_contact_ratio(s.pair)),

@@ -10,13 +10,18 @@ import numpy as np
 
 from gearstudio.theory.cones import MemberGeometry, PairGeometry
 
-Unit = Literal["mm", "°", "rad", ""]
-_UNITS: dict[Unit, str] = {"": "", "°": '"°"', "mm": ' thin "mm"', "rad": ' thin "rad"'}
+Unit = Literal["mm", "µm", "°", "rad", ""]
+Holds = Literal["always", "no offset", "own depth", "standard depth", "offset"]
+"""For which pairs an equation holds: all; those whose axes meet; of these, those with depths from the module; those
+with depths after ISO 23509 or with an offset; those with an offset."""
+_UNITS: dict[Unit, str] = {
+    "": "", "°": '"°"', "mm": ' thin "mm"', "µm": ' thin "µm"', "rad": ' thin "rad"',
+}  # fmt: skip
 
 
 @dataclass(frozen=True)
 class Given:
-    """A symbol (typst mathematics), its value in `unit`, and the unit: mm, °, rad or none."""
+    """A symbol (typst mathematics), its value in `unit`, and the unit: mm, µm, °, rad or none."""
 
     symbol: str
     value: float
@@ -49,6 +54,11 @@ class Subject:
         """The other member."""
         return self.pair.wheel if self.member is self.pair.pinion else self.pair.pinion
 
+    @property
+    def is_conjugate(self) -> bool:
+        """Whether the member's flanks are envelopes of the mate's, on no base cone and along no curve of their own."""
+        return self.pair.has_offset and self.member is self.pair.pinion
+
 
 @dataclass(frozen=True)
 class Equation:
@@ -62,7 +72,7 @@ class Equation:
     paper : str
         Number in the paper; empty when it is not printed there.
     section : str
-        Section of the theory.
+        Section of the theory, or the standard or part of the program that it belongs to.
     used : str
         As it is computed, typst mathematics.
     printed : str
@@ -72,7 +82,9 @@ class Equation:
     departure, evidence : str
         Why the printed form is not used and what shows it; else empty.
     numbers : callable, optional
-        From a member in its pair to the numbers put in and got out.
+        From a member in its pair to the numbers put in and got out; None where the member has none.
+    holds : Holds
+        For which pairs it holds; for others it takes no numbers.
     """
 
     key: str
@@ -85,16 +97,33 @@ class Equation:
     printed: str = ""
     departure: str = ""
     evidence: str = ""
-    numbers: Callable[[Subject], Numbers] | None = None
+    numbers: Callable[[Subject], Numbers | None] | None = None
+    holds: Holds = "no offset"
+
+    @property
+    def where(self) -> str:
+        """Where it stands beside the paper: ``theory, section 5``, ``ISO 23509``, ``offset axes``."""
+        return f"theory, section {self.section}" if self.section[:1].isdigit() else self.section
+
+
+def holds(equation: Equation, pair: PairGeometry) -> bool:
+    """Whether an equation is one of those that a pair is made by."""
+    return {
+        "always": True,
+        "no offset": not pair.has_offset,
+        "own depth": pair.hypoid is None,
+        "standard depth": pair.hypoid is not None,
+        "offset": pair.has_offset,
+    }[equation.holds]
 
 
 def numbers_of(equation: Equation, pair: PairGeometry, member: str) -> Numbers | None:
     """The numbers of a member put into an equation.
 
-    None for an equation that stands without numbers, and for all of them where the cones follow from an offset or
-    from depths of ISO 23509: the equations are those of the paper's bevel pairs.
+    None for an equation that stands without numbers, and where it does not hold: for a pair with an offset those of
+    bevel pairs, and so on.
     """
-    if equation.numbers is None or pair.hypoid is not None:
+    if equation.numbers is None or not holds(equation, pair):
         return None
     return equation.numbers(Subject(pair, pair.member(member)))
 
@@ -112,6 +141,11 @@ def rad(symbol: str, angle: float) -> Given:
 def mm(symbol: str, length: float) -> Given:
     """A length."""
     return Given(symbol, float(length), "mm")
+
+
+def um(symbol: str, length: float) -> Given:
+    """A length [mm] to be shown in µm."""
+    return Given(symbol, float(length) * 1e3, "µm")
 
 
 def pure(symbol: str, value: float) -> Given:

@@ -1,4 +1,4 @@
-"""All equations, in the order of the theory; departures from the paper as section 9 of the theory has them."""
+"""The paper's equations, in the order of the theory; departures from it as section 9 of the theory has them."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from gearstudio.equations.records import Equation
 _CONES, _INVOLUTE, _LENGTHWISE = "Cones", "Spherical involute", "Along the face"
 _FLANK, _PROFILE, _POINTS, _PAIR = "Flank", "Tooth profile", "Points and surfaces", "The pair"
 
-EQUATIONS: tuple[Equation, ...] = (
+PAPER: tuple[Equation, ...] = (
     Equation(
         "pitch_angle", _CONES, "Pitch cone angle", "3", "2",
         r"delta = arctan (sin Sigma) / (z' \/ z + cos Sigma)",
@@ -54,7 +54,7 @@ EQUATIONS: tuple[Equation, ...] = (
         r"tan(delta_a - delta) = h_(a e) / R, quad tan(delta - delta_f) = h_(f e) / R",
         "Standard depth with a common apex; with constant clearance the face cone is turned parallel to the mate's "
         "root cone instead.",
-        numbers=numbers.depths,
+        numbers=numbers.depths, holds="own depth",
     ),
     Equation(
         "involute", _INVOLUTE, "Spherical involute", "1", "3",
@@ -70,6 +70,7 @@ EQUATIONS: tuple[Equation, ...] = (
         "point", _INVOLUTE, "Point in spherical coordinates", "2", "1",
         r"bold(K)(rho, delta_k, phi) = rho vec(sin delta_k cos phi, sin delta_k sin phi, cos delta_k)",
         "Apex at the origin, axis along +z, teeth at z > 0.",
+        holds="always",
     ),
     Equation(
         "roll_range", _INVOLUTE, "Roll angle from root to tip", "11", "3",
@@ -79,7 +80,7 @@ EQUATIONS: tuple[Equation, ...] = (
         r"theta_a = (arccos (cos delta_a) / (cos delta_b) - arccos (tan delta_b) / (tan delta_a)) / (sin delta_b)",
         "The azimuth β is where the point is, the roll angle Θ is how far the plane rolled: not the same angle.",
         "The generating line, rolled by Θ, lies on the flank to 4·10⁻¹⁴ mm.",
-        numbers.roll_range,
+        numbers.roll_range, "own depth",
     ),
     Equation(
         "base_spiral", _LENGTHWISE, "Base cone spiral", "8", "5.1",
@@ -97,6 +98,21 @@ EQUATIONS: tuple[Equation, ...] = (
     ),
     Equation(
         "face", _LENGTHWISE, "Along the face", "10", "4", r"R - B <= R_n <= R", "From the toe to the heel.",
+        numbers=numbers.face, holds="always",
+    ),
+    Equation(
+        "turn", _LENGTHWISE, "Lengthwise curve", "", "4",
+        r'theta(rho) = "hand" dot (psi_t (rho)) / (sin delta), quad tan beta(rho) = rho psi_t^prime (rho)',
+        "A section at ρ is turned by θ(ρ). ψ_t is the tooth trace's polar angle in the developed pitch plane, 0 at the "
+        "mean point: of an Archimedean spiral, of the cutter's arc or of a logarithmic spiral. The hand is +1 for a "
+        "right-hand spiral; the mate has the other.",
+        numbers=numbers.turn, holds="always",
+    ),
+    Equation(
+        "toe_spiral", _LENGTHWISE, "Spiral angle at the toe", "", "4",
+        r"tan beta_0 = (R - B) sin delta_b abs(theta'(R - B)) = (sin delta_b) / (sin delta) tan beta_i",
+        "On the base cone, as the paper gives it; β_i is the spiral angle on the pitch cone there.",
+        numbers=numbers.toe_spiral,
     ),
     Equation(
         "trace", _LENGTHWISE, "Tooth trace of a cutter", "20", "4",
@@ -104,13 +120,13 @@ EQUATIONS: tuple[Equation, ...] = (
         "Spiral angle at the cone distance R' of a tooth trace that is an arc of the cutter's radius r₀.",
         r"sin beta' = 1 / (2 R') [R'^2 + 2 r_0 R sin beta - R^2]", "The cutter's radius is missing below the line.",
         "The printed form is a length, not a number; the used one meets tan β = ρ ψ′(ρ) to 10⁻⁸.",
-        numbers.spiral_angle,
+        numbers.spiral_angle, "always",
     ),
     Equation(
         "half_thickness", _FLANK, "Half the tooth's thickness", "", "5",
         r'"half" = (pi \/ 2 + 2 x tan alpha) / z - j_t / (2 m z)',
         "As an azimuth on the pitch cone, with profile shift x and transverse backlash j_t.",
-        numbers=numbers.half_thickness,
+        numbers=numbers.half_thickness, holds="own depth",
     ),
     Equation(
         "flank", _FLANK, "The flank", "12", "5",
@@ -135,6 +151,7 @@ EQUATIONS: tuple[Equation, ...] = (
         r"e = (phi_P - phi) (rho sin delta_k) / sqrt(1 + sin^2 delta_k (beta'(delta_k)^2 + (rho theta'(rho))^2))",
         "Normal to the flank, positive where metal is added; exact to second order, beyond which the foot point is "
         "iterated.",
+        holds="always",
     ),
     Equation(
         "tip", _PROFILE, "Tip and root", "14, 15", "6", r"delta_k = delta_a, quad delta_k = delta_f",
@@ -145,9 +162,10 @@ EQUATIONS: tuple[Equation, ...] = (
         "The tooth is self-similar: every section is the heel's, scaled by ρ and turned by θ(ρ).",
     ),
     Equation(
-        "fillet", _PROFILE, "Fillet radius", "18, 19", "6", r"R_f = 0.3 m_n, quad epsilon = R_f / R",
-        "A circle on the sphere, tangent to root and flank (or to the meridian below the base cone); it scales with ρ.",
-        numbers=numbers.fillet,
+        "fillet", _PROFILE, "Fillet radius", "18, 19", "6", r"R_f = f m_n, quad epsilon = R_f / R",
+        "A circle on the sphere, tangent to root and flank (or to the meridian below the base cone); it scales with ρ. "
+        "The paper's factor f is 0.3.",
+        numbers=numbers.fillet, holds="always",
     ),
     Equation(
         "guide", _PROFILE, "Guide curve along the tip", "21", "7", r"phi = phi(rho, delta_a)",
@@ -160,6 +178,7 @@ EQUATIONS: tuple[Equation, ...] = (
         "Evenly divided; by arc length or denser at the ends on request.",
         r"N = (R_0 R_t) / (R_n R_(n+1))", "The printed form is a ratio of lengths, not a count.",
         "A ratio that changes with n cannot be the count of points.",
+        holds="always",
     ),
     Equation(
         "nurbs", _POINTS, "NURBS surface", "24", "7",
@@ -169,6 +188,7 @@ EQUATIONS: tuple[Equation, ...] = (
         r"bold(S)(u, v) = (sum_i sum_j bold(p)_(i j) N_(i,k_u)(u) N_(j,k_v)(v)) / "
         r"(sum_i sum_j w_(i j) N_(i,k_u)(u) N_(j,k_v)(v))",
         "The weights are missing above the line.", "The basis functions then do not add up to one.",
+        holds="always",
     ),
     Equation(
         "contact_ratio", _PAIR, "Contact ratios", "", "8",
@@ -183,16 +203,3 @@ EQUATIONS: tuple[Equation, ...] = (
         "Wheel axis along +z; the flanks are exactly conjugate.",
     ),
 )  # fmt: skip
-
-_BY_KEY = {one.key: one for one in EQUATIONS}
-
-
-def equation(key: str) -> Equation:
-    """The equation of a key.
-
-    Raises
-    ------
-    KeyError
-        There is none.
-    """
-    return _BY_KEY[key]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from gearstudio.catalogue import MEMBERS
-from gearstudio.equations import EQUATIONS, Equation, numbers_of
+from gearstudio.equations import Equation, listed, numbers_of
 from gearstudio.report import contact_charts, exports, method_chapters
 from gearstudio.report.blocks import Block, Chapter, Formula, Heading, Table, Text, rows
 from gearstudio.report.content import Content
@@ -75,12 +75,12 @@ def _equations(content: Content, _: Store) -> list[Block]:
     if content.pair.hypoid is not None:
         blocks.append(
             Text(
-                "They are those of bevel pairs with depths from the module: this pair has others, so none of its "
-                "numbers are put in."
+                "Some of the paper's are those of bevel pairs with depths from the module: numbers are put in where "
+                "an equation holds for this pair."
             )
         )
     group = ""
-    for one in EQUATIONS:
+    for one in listed(content.pair):
         if one.group != group:
             group = one.group
             blocks.append(Heading(group))
@@ -95,7 +95,7 @@ def _formula(one: Equation, content: Content) -> Formula:
         if put is not None:
             numbers.append((member, ", quad ".join(given.mathematics(6) for given in (*put.inputs, *put.outputs))))
     departure = " ".join(part for part in (one.departure, one.evidence) if part)
-    number = f"({one.paper})" if one.paper else f"theory {one.section}"
+    number = f"({one.paper})" if one.paper else one.where
     return Formula(one.title, number, one.used, one.printed, prose(one.meaning), prose(departure), tuple(numbers))
 
 

@@ -5,10 +5,13 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from ui.theme import Tokens
-from ui.words import tr
+from ui.words import noted, tr
 
 if TYPE_CHECKING:
     from gearstudio.equations import Equation, Given, Numbers
+
+PARTS = (noted("offset axes"), noted("micro-geometry"))
+"""Parts of the theory without a number."""
 
 
 def drawing(equation: Equation, numbers: dict[str, Numbers], colors: Tokens, width_pt: float) -> bytes:
@@ -54,7 +57,8 @@ def _source(equation: Equation, numbers: dict[str, Numbers], colors: Tokens, wid
 
 
 def _where(equation: Equation) -> str:
-    section = tr("theory, section {number}", number=equation.section)
+    numbered = equation.section[:1].isdigit()
+    section = tr("theory, section {number}", number=equation.section) if numbered else tr(equation.section)
     return tr("paper, equation {number}", number=equation.paper) + " · " + section if equation.paper else section
 
 
