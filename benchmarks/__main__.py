@@ -8,7 +8,7 @@ import statistics
 import sys
 from collections.abc import Iterator
 
-from benchmarks import animation, compare, contact, gear, peers, report, startup, window
+from benchmarks import animation, compare, contact, gear, peers, report, solids, startup, window
 from benchmarks.measurement import Measurement, Remark
 
 RATIO, GAP_MS = 0.3, 50.0
@@ -50,6 +50,11 @@ def measurements() -> Iterator[Measurement | Remark]:
     title = "longest event-loop gap of a full rebuild, frames left out"
     yield Measurement(title, gaps, GAP_MS, unit="ms", decimals=0, judged="maximum")
     yield Measurement("the same with frames, drawn by software or not", with_frames, unit="ms", decimals=0)
+
+    shown = solids.measure()
+    title = "the longest while whole gears come, go and are cut, frames left out"
+    yield Measurement(title, [one.alone for one in shown], GAP_MS, unit="ms", decimals=0, judged="maximum")
+    yield Measurement("the same with frames", [one.with_frames for one in shown], unit="ms", decimals=0)
 
     frames = animation.measure()
     title = "frame of the turning pair / repaint as it is while it moves"

@@ -55,7 +55,7 @@ def measure(times: int = 20) -> list[Edit]:
     application = make_application(["gearstudio"])
     with tempfile.TemporaryDirectory() as folder:
         watch = Watch()
-        _watch_drawing(watch)
+        watch_drawing(watch)
         studio = Studio(Theme(application), QSettings(str(Path(folder) / "settings.ini"), QSettings.Format.IniFormat))
         shown: list[float] = []
         on_frame(studio, lambda complete: shown.append(perf_counter()) if complete else None)
@@ -82,7 +82,7 @@ def _edit(studio: Studio, watch: Watch, shown: list[float], value: float) -> Edi
     return Edit(seconds, 1e3 * max(watch.gaps(watch.frames)), 1e3 * max(watch.gaps()))
 
 
-def _watch_drawing(watch: Watch) -> None:
+def watch_drawing(watch: Watch) -> None:
     """Note when the window draws itself: Qt paints and composes what has changed in one such event."""
     inherited = MainWindow.event
 

@@ -58,16 +58,18 @@ class MeshBuffer:
         before, self.layer = self.layer, layer
         if before is layer:
             return
-        points = self._write("points", layer.points)
+        arrays = layer.single
+        points = self._write("points", arrays["points"])
         if points is not None:
             holder = vtkPoints()
             holder.SetData(points)
             self.mesh.SetPoints(holder)
         self.mesh.GetPoints().Modified()
-        for name, values, attach in (
-            ("normals", layer.normals, self.mesh.GetPointData().SetNormals),
-            ("scalars", layer.scalars, self.mesh.GetPointData().SetScalars),
+        for name, attach in (
+            ("normals", self.mesh.GetPointData().SetNormals),
+            ("scalars", self.mesh.GetPointData().SetScalars),
         ):
+            values = arrays.get(name)
             if values is None:
                 attach(None)
                 self._arrays.pop(name, None)
@@ -85,10 +87,10 @@ class MeshBuffer:
         """Copy values; the new VTK array when one had to be made."""
         held = self._arrays.get(name)
         if held is not None and held[0].shape == values.shape:
-            np.copyto(held[0], values, casting="same_kind")
+            np.copyto(held[0], values)
             held[1].Modified()
             return None
-        copy = np.array(values, dtype=np.float32, order="C")
+        copy = values.copy()
         array = numpy_to_vtk(copy, deep=False)
         array.SetName(name)
         self._arrays[name] = (copy, array)

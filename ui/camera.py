@@ -177,14 +177,18 @@ def view(name: str, focus: Focus, aspect: float, current: Camera | None = None) 
 
 def _filling(camera: Camera, points: Floats, aspect: float, share: float) -> Camera:
     """Points in the middle, taking up a share of the view; perspective by a few corrections."""
+    axes = np.stack([camera.right, camera.up, camera.back])
+    places, focal, half = axes @ points.T, axes @ camera.focal, camera.half_height
     for _ in range(4):
-        places = camera.project(points)
-        low, high = np.nanmin(places, axis=0), np.nanmax(places, axis=0)
-        middle = (low + high) / 2
-        focal = camera.focal + camera.half_height * (middle[0] * camera.right + middle[1] * camera.up)
-        half = camera.half_height * max((high[0] - low[0]) / aspect, high[1] - low[1]) / (2 * share)
-        camera = replace(camera, focal=focal, half_height=float(half))
-    return camera
+        depth: Floats | float = 1.0
+        if not camera.parallel:
+            depth = 1 - (places[2] - focal[2]) / replace(camera, half_height=half).distance
+            places, depth = places[:, depth > 1e-6], depth[depth > 1e-6]
+        seen = [(places[axis] - focal[axis]) / depth for axis in (0, 1)]
+        low, high = ([float(end(one)) for one in seen] for end in (np.min, np.max))
+        focal = focal + np.array([low[0] + high[0], low[1] + high[1], 0.0]) / 2
+        half = max((high[0] - low[0]) / aspect, high[1] - low[1]) / (2 * share)
+    return replace(camera, focal=axes.T @ focal, half_height=float(half))
 
 
 def _tooth_direction(name: str, focus: Focus) -> Floats:

@@ -14,6 +14,8 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from ui.pick_mesh import PickMesh
+
 Floats = NDArray[np.float64]
 Indices = NDArray[np.int64]
 LayerKind = Literal["surface", "lines", "points"]
@@ -105,7 +107,26 @@ class Layer:
     @cached_property
     def bounds(self) -> tuple[Floats, Floats]:
         """Lowest and highest coordinates, (3,) each."""
-        return self.points.min(axis=0), self.points.max(axis=0)
+        columns = self.points.T
+        return np.array([x.min() for x in columns]), np.array([x.max() for x in columns])
+
+    @cached_property
+    def single(self) -> dict[str, NDArray[np.float32]]:
+        """Points, normals and scalars as the renderer takes them."""
+        arrays = (("points", self.points), ("normals", self.normals), ("scalars", self.scalars))
+        return {name: np.array(x, dtype=np.float32, order="C") for name, x in arrays if x is not None}
+
+    @cached_property
+    def pick_mesh(self) -> PickMesh:
+        """Its triangles, ready for rays."""
+        return PickMesh(self.points, self.cells)
+
+    def prepare(self) -> None:
+        """Compute, in whatever thread this is, what showing and pointing will need."""
+        if len(self.points):
+            _ = self.bounds, self.single
+            if self.kind == "surface":
+                _ = self.pick_mesh
 
 
 @dataclass(frozen=True)

@@ -1,4 +1,7 @@
-"""Imports what is heavy in a thread, after the window has been painted."""
+"""Imports what is heavy in a thread, after the window has been painted.
+
+``module:function`` is also called, so that what it keeps is there when it is wanted.
+"""
 
 from __future__ import annotations
 
@@ -11,7 +14,7 @@ from collections.abc import Mapping, Sequence
 from PySide6.QtCore import QObject, Qt, Signal, Slot
 
 STAGES: Mapping[str, tuple[str, ...]] = {
-    "core": ("gearstudio.validation", "gearstudio.theory.cones", "gearstudio.project"),
+    "core": ("gearstudio.validation", "gearstudio.theory.cones", "gearstudio.project", "ui.sentences:templates"),
     "worker": ("gearstudio.jobs", "ui.runner"),
     "views": (
         "pyvista",
@@ -22,7 +25,8 @@ STAGES: Mapping[str, tuple[str, ...]] = {
         "ui.roll_slider",
         "ui.mesh_bar",
         "ui.solid_measure",
-        "ui.solid_view",
+        "ui.solid_pointer",
+        "ui.solid_stage",
         "ui.view_grid",
     ),
     "charts": ("pyqtgraph", "ui.analysis.pages"),
@@ -76,7 +80,10 @@ class Loader(QObject):
                 for module in modules:
                     if self._stop.is_set():
                         return
-                    importlib.import_module(module)
+                    name, _, function = module.partition(":")
+                    found = importlib.import_module(name)
+                    if function:
+                        getattr(found, function)()
             except Exception as error:
                 log.exception("importing %s failed", stage)
                 self._broke.emit(stage, f"{type(error).__name__}: {error}", traceback.format_exc())

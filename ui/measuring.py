@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from gearstudio.theory.place import Place
 from ui.layers import Layer
-from ui.picking import Hit, Picker
+from ui.picking import Hit, first_hit
 from ui.section import Plane
 
 Floats = NDArray[np.float64]
@@ -74,7 +74,6 @@ def measure(one: Picked, other: Picked) -> Measure:
 
 
 def pick(
-    picker: Picker,
     layers: Sequence[Layer],
     frames: dict[str, Frame],
     ray: tuple[Floats, Floats],
@@ -84,7 +83,6 @@ def pick(
 
     Parameters
     ----------
-    picker : Picker
     layers : sequence of Layer
         Surfaces of bodies, as placed before anything turned.
     frames : dict
@@ -104,7 +102,7 @@ def pick(
     best: tuple[float, Picked] | None = None
     for member, frame in frames.items():
         own = tuple(x for x in layers if x.body == member and x.kind == "surface")
-        hit = picker.first(own, frame.turn.back(start), direction @ frame.turn.matrix)
+        hit = first_hit(own, frame.turn.back(start), direction @ frame.turn.matrix)
         if hit is None or hit.layer.normals is None or (best is not None and hit.distance >= best[0]):
             continue
         normal = frame.turn.matrix @ (hit.weights @ hit.layer.normals[hit.corners])

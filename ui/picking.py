@@ -1,11 +1,8 @@
-"""What is under the pointer: rays against the triangles that are drawn; numpy alone.
-
-The renderer is not asked. Triangles lie in runs of neighbours, each run in a sphere; a ray is tested against the
-spheres first and then against the triangles of the few it meets.
-"""
+"""What is under the pointer: rays against the triangles that are drawn; the renderer is not asked."""
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 import numpy as np
@@ -14,7 +11,6 @@ from numpy.typing import NDArray
 from ui.layers import Layer
 
 Floats = NDArray[np.float64]
-_RUN = 96
 
 
 @dataclass(frozen=True)
@@ -57,72 +53,15 @@ class Hit:
         return value if np.isfinite(value) else None
 
 
-class PickMesh:
-    """Triangles of one surface layer, ready for rays."""
-
-    def __init__(self, layer: Layer) -> None:
-        self.layer = layer
-        corners = layer.points[layer.cells]
-        self._origin = corners[:, 0]
-        self._edge_1 = corners[:, 1] - self._origin
-        self._edge_2 = corners[:, 2] - self._origin
-        starts = np.arange(0, len(corners), _RUN)
-        low = np.minimum.reduceat(corners.min(axis=1), starts)
-        high = np.maximum.reduceat(corners.max(axis=1), starts)
-        self._centre, self._reach = (low + high) / 2, np.linalg.norm(high - low, axis=-1) / 2
-
-    def cast(self, start: Floats, direction: Floats) -> Hit | None:
-        """The first meeting of a ray with the surface, from either side; None when it misses."""
-        offset = self._centre - start
-        along = offset @ direction
-        beside = np.einsum("ij,ij->i", offset, offset) - along**2
-        runs = np.flatnonzero((beside <= self._reach**2) & (along > -self._reach))
-        if not len(runs):
-            return None
-        index = (runs[:, None] * _RUN + np.arange(_RUN)).ravel()
-        index = index[index < len(self._origin)]
-        return self._nearest(index, start, direction)
-
-    def _nearest(self, index: NDArray[np.int64], start: Floats, direction: Floats) -> Hit | None:
-        edge_1, edge_2 = self._edge_1[index], self._edge_2[index]
-        across = np.cross(direction, edge_2)
-        volume = np.einsum("ij,ij->i", edge_1, across)
-        with np.errstate(all="ignore"):  # a triangle seen edge-on has no volume
-            offset = start - self._origin[index]
-            weight_1 = np.einsum("ij,ij->i", offset, across) / volume
-            turned = np.cross(offset, edge_1)
-            weight_2 = turned @ direction / volume
-            distance = np.einsum("ij,ij->i", edge_2, turned) / volume
-            least = np.minimum(np.minimum(weight_1, weight_2), 1 - weight_1 - weight_2)
-        inside = (least >= -1e-9) & (distance > 0)
-        if not np.any(inside):
-            return None
-        best = int(np.flatnonzero(inside)[np.argmin(distance[inside])])
-        w1, w2, t = float(weight_1[best]), float(weight_2[best]), float(distance[best])
-        weights = np.array([1 - w1 - w2, w1, w2])
-        return Hit(self.layer, t, start + t * direction, self.layer.cells[index[best]], weights)
-
-
-class Picker:
-    """Rays against a changing set of layers; what was prepared for a layer is kept as long as it is shown."""
-
-    def __init__(self) -> None:
-        self._meshes: dict[int, PickMesh] = {}
-
-    def keep(self, layers: tuple[Layer, ...]) -> None:
-        """Forget every layer but these."""
-        alive = {id(layer) for layer in layers}
-        self._meshes = {key: mesh for key, mesh in self._meshes.items() if key in alive}
-
-    def first(self, layers: tuple[Layer, ...], start: Floats, direction: Floats) -> Hit | None:
-        """The nearest meeting of a ray with any of the surfaces."""
-        hits = (self._mesh(layer).cast(start, direction) for layer in layers)
-        return min((hit for hit in hits if hit is not None), key=lambda hit: hit.distance, default=None)
-
-    def _mesh(self, layer: Layer) -> PickMesh:
-        if id(layer) not in self._meshes:
-            self._meshes[id(layer)] = PickMesh(layer)
-        return self._meshes[id(layer)]
+def first_hit(layers: Iterable[Layer], start: Floats, direction: Floats) -> Hit | None:
+    """The nearest meeting of a ray with any of some surfaces."""
+    best: Hit | None = None
+    for layer in layers:
+        found = layer.pick_mesh.cast(start, direction) if len(layer.cells) else None
+        if found is not None and (best is None or found.distance < best.distance):
+            point = start + found.distance * direction
+            best = Hit(layer, found.distance, point, found.corners, found.weights)
+    return best
 
 
 def describe(hit: Hit, panel_key: str) -> Hover:

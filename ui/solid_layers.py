@@ -56,10 +56,10 @@ class PlacedGear:
     fine: GearMesh
     coarse: GearMesh
 
-    @property
-    def meshes(self) -> tuple[Mesh, ...]:
-        """The fine ones."""
-        return self.fine.flanks, self.fine.teeth, self.fine.body
+    def level(self, level: str) -> tuple[Mesh, ...]:
+        """The meshes of a level, which close each other."""
+        mesh = self.coarse if level == "coarse" else self.fine
+        return mesh.flanks, mesh.teeth, mesh.body
 
 
 def base_place(pair: PairGeometry, member: str) -> Place:
@@ -121,21 +121,24 @@ def preview_layers(pair: PairGeometry, member: str, in_mesh: bool) -> tuple[Laye
     return tuple(made)
 
 
-def cut_layers(gears: Sequence[PlacedGear], plane: Plane) -> tuple[Layer, ...]:
-    """The faces that a section plane lays open, while nothing turns, with their outlines."""
+def cut_layers(gears: Sequence[tuple[str, tuple[Mesh, ...], Place]], plane: Plane) -> tuple[Layer, ...]:
+    """The faces that a section plane lays open, with their outlines.
+
+    Parameters
+    ----------
+    gears : sequence of (member, meshes, place)
+        Meshes that close each other, and where they have moved.
+    plane : Plane
+    """
     made = []
-    for gear in gears:
-        segments = outline(gear.meshes, plane)
+    for member, meshes, place in gears:
+        segments = outline([placed(mesh, place) for mesh in meshes], plane)
         if not len(segments):
             continue
         face = filled(segments, plane)
-        style = Style(PAINTS[gear.member].cut, flat=True, lift=5)
-        made.append(
-            Layer(SOLID, f"{gear.member} cut", "surface", face.points, style, face.cells, face.normals, level="fine")
-        )
+        style = Style(PAINTS[member].cut, flat=True, lift=5)
+        made.append(Layer(SOLID, f"{member} cut", "surface", face.points, style, face.cells, face.normals))
         lines = np.arange(2 * len(segments)).reshape(-1, 2)
         edge = Style(look.INK, width=1.6, lift=8)
-        made.append(
-            Layer(SOLID, f"{gear.member} cut edge", "lines", segments.reshape(-1, 3), edge, lines, level="fine")
-        )
+        made.append(Layer(SOLID, f"{member} cut edge", "lines", segments.reshape(-1, 3), edge, lines))
     return tuple(made)

@@ -9,7 +9,6 @@ from PySide6.QtCore import QObject, QPointF, Qt
 
 from ui.measure_overlay import MeasureOverlay
 from ui.measuring import Picked, measure, pick
-from ui.picking import Picker
 from ui.solid_words import measured
 from ui.units import with_unit
 from ui.words import tr
@@ -27,7 +26,6 @@ class SolidMeasure(QObject):
     def __init__(self, view: SolidView, say: Callable[[str], None], parent: QObject) -> None:
         super().__init__(parent)
         self._view, self._say = view, say
-        self._picker = Picker()
         self._points: list[Picked] = []
         self._on = False
         self._overlay = MeasureOverlay(view.grid)
@@ -59,8 +57,7 @@ class SolidMeasure(QObject):
         view = self._view
         _, x, y = view.grid.viewport.pane_at(position)
         surfaces = tuple(layer for layer in view.layers if layer.body and layer.level != "coarse")
-        self._picker.keep(surfaces)
-        found = pick(self._picker, surfaces, view.frames, view.grid.viewport.look.ray(x, y), view.plane)
+        found = pick(surfaces, view.frames, view.grid.viewport.look.ray(x, y), view.plane)
         if found is None:
             return
         self._points = [found] if len(self._points) == 2 else [*self._points, found]

@@ -19,7 +19,9 @@ if TYPE_CHECKING:
     from ui.runner import JobRunner
     from ui.solid_measure import SolidMeasure
     from ui.solid_pointer import SolidPointer
+    from ui.solid_stage import SolidStage
     from ui.solid_view import SolidView
+    from ui.solid_workshop import Order
 
 Mode = Literal["flanks", "gear", "pair"]
 PAIR = ("pinion", "wheel")
@@ -37,18 +39,31 @@ class SolidMode(QObject):
 
     mode_changed = Signal(str)
 
-    def __init__(self, session: Session, window: MainWindow, presenter: Presenter, parent: QObject) -> None:
+    def __init__(
+        self,
+        session: Session,
+        window: MainWindow,
+        presenter: Presenter,
+        parent: QObject,
+        solids: Solids | None = None,
+    ) -> None:
         super().__init__(parent)
         self._session, self._window, self._presenter = session, window, presenter
         self._panel = window.solid_panel
-        self.solids = Solids(session, self)
+        self.solids = solids or Solids(session)
+        self.solids.setParent(self)
         self.mode: Mode = "flanks"
         self.view: SolidView | None = None
+        self._stage: SolidStage | None = None
         self.measuring: SolidMeasure | None = None
         self.pointer: SolidPointer | None = None
         self._flank_view: tuple[Camera, str] | None = None
-        self._to_fit = self._turning = False
+        self._to_look: tuple[Camera, str] | None = None
+        self._to_fit = False
+        self._motion: Literal["", "turning", "sliding"] = ""
         self._fitted: Camera | None = None
+        self._leaving = QTimer(self, singleShot=True, interval=0)
+        self._leaving.timeout.connect(self._show_flanks)
         self._redraw = QTimer(self, singleShot=True, interval=REDRAW_PAUSE_MS)
         self._redraw.timeout.connect(self.redraw)
         self._still = QTimer(self, singleShot=True, interval=STILL_MS)
@@ -79,11 +94,17 @@ class SolidMode(QObject):
         """The window has its views now."""
         from ui.solid_measure import SolidMeasure
         from ui.solid_pointer import SolidPointer
+        from ui.solid_stage import SolidStage
         from ui.solid_view import SolidView
 
         area = self._window.area
         assert area.grid is not None and area.mesh_bar is not None
         self.view = SolidView(area.grid)
+        self._stage = SolidStage(self.view, lambda: titles(self.solids, self.keys), self)
+        self._stage.changed.connect(self._on_shown)
+        self._stage.failed.connect(
+            lambda text, details: self._window.messages.show_message("error", text, details, topic="solid")
+        )
         self.measuring = SolidMeasure(self.view, self._panel.show_measure, self)
         self._panel.units_shown.connect(self.measuring.show_units)
         self.pointer = SolidPointer(self.view, self._on_pointed, self)
@@ -94,12 +115,25 @@ class SolidMode(QObject):
             self.redraw()
 
     def close(self) -> None:
-        """Stop what moves and let the thread end."""
-        for timer in (self._still, self._redraw):
+        """Stop what moves and let the thread of this window end; the solids may go on in another window."""
+        for timer in (self._still, self._redraw, self._leaving):
             timer.stop()
-        self.solids.close()
+        if self._stage is not None:
+            self._stage.close()
 
     # ---- mode ------------------------------------------------------------------------------------------
+
+    def keep_state(self) -> tuple[Mode, tuple[Camera, str] | None, tuple[Camera, str] | None]:
+        """Mode, where one looks from now, and where one looked at the flanks from; for `take_state`."""
+        now = None if self.view is None else self.view.grid.keep_view()
+        return self.mode, now, self._flank_view
+
+    def take_state(self, state: tuple[Mode, tuple[Camera, str] | None, tuple[Camera, str] | None]) -> None:
+        """Be in the mode of another window, and look from there once the solids are in sight."""
+        mode, now, flanks = state
+        self.set_mode(mode)
+        if mode != "flanks":
+            self._flank_view, self._to_look = flanks, now
 
     def set_mode(self, mode: Mode) -> None:
         """Show flanks, one gear or the pair."""
@@ -114,12 +148,15 @@ class SolidMode(QObject):
         self.follow_selection()
         if self.measuring is not None:
             self.measuring.clear()
+        if self._stage is not None:
+            self._stage.forget()
         if mode == "flanks":
-            self._show_flanks()
+            self._leaving.start()
         else:
+            self._leaving.stop()
             self._panel.set_section_axis("y", 0.0)
             self._choose_side()
-            self.redraw()
+            self.redraw_soon()
         self.mode_changed.emit(mode)
 
     def build(self, mode: Mode) -> None:
@@ -175,22 +212,18 @@ class SolidMode(QObject):
         if self.mode == "flanks" or self._session.pair is None:
             return
         self._show_panel()
-        if self.view is None:
-            return
-        from ui.section import Plane
-        from ui.solid_layers import SolidOptions
+        if self._stage is not None:
+            self._stage.show(self._session.pair, self.keys, self.solids.built, self._panel, self._motion)
 
-        chosen, options = self._panel.section, SolidOptions(self._panel.edges, self._panel.deviation)
-        grid, before = self.view.grid, self.view.gears
-        self.view.plane = None if chosen is None else Plane(*chosen)
-        words = titles(self.solids, self.keys)
-        self.view.show(self._session.pair, self.keys, self.solids.built, options, words, self._turning)
-        if self.view.gears != before:
+    def _on_shown(self, order: Order, other_gears: bool) -> None:
+        assert self.view is not None
+        grid = self.view.grid
+        if other_gears:
             self._to_fit = self._to_fit or grid.viewport.look is self._fitted
             if self.measuring is not None:
                 self.measuring.clear()
         if self.pointer is not None:
-            self.pointer.show_solids({k.member: self.solids.built[k] for k in self.keys if k in self.solids.built})
+            self.pointer.show_solids({key.member: built for key, built in order.built.items()})
         extent = self.view.extent(self._panel.axis)
         if extent is not None:
             self._panel.set_section_range(*extent)
@@ -199,6 +232,9 @@ class SolidMode(QObject):
             self._to_fit = len(self.view.gears) < len(self.keys)
             grid.set_view("pair" if self.mode == "pair" else "iso")
             self._fitted = grid.viewport.look
+        if self._to_look is not None:
+            grid.restore_view(self._to_look)
+            self._to_look = None
 
     def _show_panel(self) -> None:
         built = self.solids.built
@@ -223,8 +259,8 @@ class SolidMode(QObject):
             return
         if self.pointer is not None:
             self.pointer.clear()
-        if not self._turning:
-            self._turning = True
+        if self._motion != "turning":
+            self._motion = "turning"
             if self.measuring is not None:
                 self.measuring.clear()
             if self.view.plane is not None:
@@ -233,7 +269,7 @@ class SolidMode(QObject):
         self._still.start()
 
     def _on_still(self) -> None:
-        self._turning = False
+        self._motion = ""
         if self.view is not None and self.view.plane is not None:
             self.redraw()
 
@@ -249,8 +285,10 @@ class SolidMode(QObject):
 
     def _on_section(self) -> None:
         if self.view is not None and self.mode != "flanks":
+            self._motion = "sliding"
+            self._still.start()
+            self.view.grid.viewport.set_moving()
             self.redraw()
-            self.view.grid.viewport.update()
 
     def _choose_side(self) -> None:
         """Take away the side that one looks at."""

@@ -93,7 +93,7 @@ class SolidPanel(QWidget):
     @property
     def section(self) -> tuple[int, float, int] | None:
         """Axis, place [mm] and side taken away, as `section.Plane` takes them; None without a section."""
-        if not self._cut.isChecked():
+        if not self.section_box.isChecked():
             return None
         return self.axis, self._place, -self._side if self._flip.isChecked() else self._side
 
@@ -192,9 +192,9 @@ class SolidPanel(QWidget):
         return made
 
     def _make_section(self) -> QVBoxLayout:
-        self._cut = QCheckBox(tr("Section"))
-        self._cut.setToolTip(tr("Take away what lies beyond a plane and show the cut face"))
-        self._cut.toggled.connect(self._on_switched)
+        self.section_box = QCheckBox(tr("Section"))
+        self.section_box.setToolTip(tr("Take away what lies beyond a plane and show the cut face"))
+        self.section_box.toggled.connect(self._on_switched)
         self._axes = Segments(
             [(a, a, tr("Cut square to the {axis} axis", axis=a)) for a in AXES], tr("Axis of the section")
         )
@@ -205,18 +205,18 @@ class SolidPanel(QWidget):
         self._flip.setAccessibleName(tr("Take away the other side"))
         set_icon(self._flip, "flip")
         self._flip.toggled.connect(self._on_section)
-        self._slider = QSlider(Qt.Orientation.Horizontal, maximum=STEPS, value=STEPS // 2)
-        self._slider.setAccessibleName(tr("Place of the section"))
-        self._slider.setToolTip(tr("Where the plane of the section stands"))
-        self._slider.valueChanged.connect(self._on_slid)
+        self.section_slider = QSlider(Qt.Orientation.Horizontal, maximum=STEPS, value=STEPS // 2)
+        self.section_slider.setAccessibleName(tr("Place of the section"))
+        self.section_slider.setToolTip(tr("Where the plane of the section stands"))
+        self.section_slider.valueChanged.connect(self._on_slid)
         self._where = QLabel()
         self._where.setProperty("role", "muted")
         self._where.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         self._where.setFixedWidth(self._where.fontMetrics().horizontalAdvance("−000.00 mm") + 4)
         made = QVBoxLayout()
         made.setSpacing(5)
-        made.addLayout(_row(self._cut, None, self._axes, self._flip))
-        made.addLayout(_row(self._slider, self._where, stretch=0))
+        made.addLayout(_row(self.section_box, None, self._axes, self._flip))
+        made.addLayout(_row(self.section_slider, self._where, stretch=0))
         return made
 
     def _make_measure(self) -> QVBoxLayout:
@@ -238,14 +238,14 @@ class SolidPanel(QWidget):
     def _put(self, place: float) -> None:
         low, high = self._range
         self._place = place
-        with QSignalBlocker(self._slider):
-            self._slider.setValue(round(STEPS * (place - low) / max(high - low, 1e-12)))
+        with QSignalBlocker(self.section_slider):
+            self.section_slider.setValue(round(STEPS * (place - low) / max(high - low, 1e-12)))
         self._show_section()
 
     def _on_axis(self, axis: str) -> None:
         self._axis = axis
-        with QSignalBlocker(self._cut):
-            self._cut.setChecked(True)
+        with QSignalBlocker(self.section_box):
+            self.section_box.setChecked(True)
         self._on_switched()
 
     def _on_switched(self) -> None:
@@ -262,8 +262,8 @@ class SolidPanel(QWidget):
         self.section_changed.emit()
 
     def _show_section(self) -> None:
-        for widget in (self._slider, self._flip, self._where):
-            widget.setEnabled(self._cut.isChecked())
+        for widget in (self.section_slider, self._flip, self._where):
+            widget.setEnabled(self.section_box.isChecked())
         self._where.setText(with_unit(self._place, "mm", 2))
 
     def _on_measure(self, on: bool) -> None:

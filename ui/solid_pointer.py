@@ -21,7 +21,7 @@ from gearstudio.theory.profile import profile_of
 from ui.formatting import MEMBER_TITLES, fixed
 from ui.measure_overlay import MeasureOverlay
 from ui.measuring import Picked, pick
-from ui.picking import Hover, Picker
+from ui.picking import Hover
 from ui.words import tr
 
 if TYPE_CHECKING:
@@ -41,7 +41,6 @@ class SolidPointer(QObject):
     def __init__(self, view: SolidView, say: Callable[[Hover | None], None], parent: QObject) -> None:
         super().__init__(parent)
         self._view, self._say = view, say
-        self._picker = Picker()
         self._on = False
         self._built: dict[str, Built] = {}
         self._theories: dict[str, tuple[Built, GearTheory | None]] = {}
@@ -81,9 +80,8 @@ class SolidPointer(QObject):
         view = self._view
         _, x, y = view.grid.viewport.pane_at(self._position)
         coarse = tuple(layer for layer in view.layers if layer.body and layer.level == "coarse")
-        self._picker.keep(coarse)
         ray = view.grid.viewport.look.ray(x, y)
-        found = pick(self._picker, coarse, view.frames, ray, view.plane)
+        found = pick(coarse, view.frames, ray, view.plane)
         if found is None or found.member not in self._built:
             self._tell(None, None)
             return

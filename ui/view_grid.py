@@ -22,7 +22,7 @@ from ui.layers import DEFAULT_VISIBLE, Layer, Panel, drawn
 from ui.theme import DARK, LIGHT
 from ui.viewport import Viewport
 from ui.views.appearance import GROUNDS, Appearance
-from ui.views.focus import focus_of, sphere_around
+from ui.views.focus import focus_of, sphere_around, thinned
 from ui.views.overlays import Overlays
 from ui.views.panes import PANES
 from ui.views.pointing import Pointing
@@ -202,7 +202,6 @@ class ViewGrid(QWidget):
         shown = tuple(self.shown(pane) for pane in range(len(self._panels)))
         self.store.set_layers(shown)
         everything = tuple({id(layer): layer for pane in shown for layer in pane}.values())
-        self.pointing.keep(tuple(x for panel in self._panels for x in panel.layers))
         self.viewport.set_scene_bounds(*sphere_around(everything))
         self.viewport.update()
 
@@ -222,9 +221,9 @@ class ViewGrid(QWidget):
             self._view = name
         if self._focus is not None:
             focus = self._focus
-            seen = [x.points for pane in range(len(self._panels)) for x in self.shown(pane)]
-            if name == "fit" and seen:
-                focus = replace(focus, points=np.concatenate(seen))
+            if name == "fit":
+                seen = [thinned(x.points) for pane in range(len(self._panels)) for x in self.shown(pane)]
+                focus = replace(focus, points=np.concatenate(seen)) if seen else focus
             pane = self.viewport.active
             self.viewport.set_camera(view(name, focus, self.viewport.aspect, self.viewport.look), pane)
             self.follow_cameras()

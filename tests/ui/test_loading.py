@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import gc
+import sys
 import threading
+import types
 
 import pytest
 
@@ -63,3 +65,15 @@ def test_stopping_before_the_start_is_harmless(heard) -> None:
     loader = Loader({"first": ("json",)})
     loader.stop()
     assert not loader._thread.is_alive()
+
+
+def test_a_function_after_a_colon_is_called_in_the_thread(qtbot) -> None:
+    callers: list[str] = []
+    module = types.ModuleType("made_up_to_warm")
+    module.warm = lambda: callers.append(threading.current_thread().name)  # type: ignore[attr-defined]
+    sys.modules[module.__name__] = module
+    loader = Loader({"one": (f"{module.__name__}:warm",)})
+    with qtbot.waitSignal(loader.finished, timeout=5000):
+        loader.start()
+    del sys.modules[module.__name__]
+    assert callers == ["imports"]

@@ -14,7 +14,7 @@ from tests.ui.made_up import DESIGNS, member_of, result_of, scene_layers
 from ui import colormap
 from ui.camera import VIEWS, Camera, Focus, view
 from ui.layers import DEFAULT_VISIBLE, LAYER_IDS, LAYER_SETS, Layer, drawn
-from ui.picking import Picker, PickMesh, describe
+from ui.picking import describe, first_hit
 from ui.scene import SceneOptions, member_layers, result_layers, roll_span_deg, rolling_layers
 
 
@@ -77,7 +77,7 @@ class TestMemberLayers:
         bared = by_key(member_layers(member))["tooth/bared"]
         for name in FLANKS:
             flank = involute_flank(member, name)
-            hit = PickMesh(bared).cast(flank.points(0.5, 0.5) + flank.normals(0.5, 0.5), -flank.normals(0.5, 0.5))
+            hit = first_hit((bared,), flank.points(0.5, 0.5) + flank.normals(0.5, 0.5), -flank.normals(0.5, 0.5))
             assert hit is None or hit.distance > 1.5
 
 
@@ -157,22 +157,22 @@ class TestPicking:
     def test_finds_a_known_point_and_its_deviation(self):
         for index in (65, 220, 371):
             target, normal = self.flank.points[index], self.flank.normals[index]
-            hit = PickMesh(self.flank).cast(target + 5 * normal, -normal)
+            hit = first_hit((self.flank,), target + 5 * normal, -normal)
             assert hit is not None and np.allclose(hit.point, target, atol=1e-9)
             assert hit.scalar == pytest.approx(self.flank.scalars[index], abs=1e-6)
 
     def test_misses_what_is_not_there(self):
-        assert PickMesh(self.flank).cast(np.array([0.0, 0.0, -500.0]), np.array([0.0, 0.0, -1.0])) is None
+        assert first_hit((self.flank,), np.array([0.0, 0.0, -500.0]), np.array([0.0, 0.0, -1.0])) is None
 
     def test_the_nearest_surface_wins(self):
         target, normal = self.flank.points[220], self.flank.normals[220]
         near = Layer("tooth", "x", "surface", self.flank.points + 2 * normal, self.flank.style, self.flank.cells)
-        hit = Picker().first((self.flank, near), target + 9 * normal, -normal)
+        hit = first_hit((self.flank, near), target + 9 * normal, -normal)
         assert hit is not None and hit.layer is near
 
     def test_tells_coordinates_as_people_read_them(self):
         target, normal = self.flank.points[220], self.flank.normals[220]
-        hit = PickMesh(self.flank).cast(target + normal, -normal)
+        hit = first_hit((self.flank,), target + normal, -normal)
         hover = describe(hit, "a")
         assert (hover.panel_key, hover.flank) == ("a", "concave")
         assert hover.rho == pytest.approx(np.linalg.norm(target))

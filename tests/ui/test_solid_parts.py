@@ -22,7 +22,6 @@ from ui.layers import SOLID, Ink, Layer, Style
 from ui.materials import MATERIALS, properties
 from ui.measuring import Frame, Picked, measure, pick
 from ui.mesh_bar import MeshBar
-from ui.picking import Picker
 from ui.properties_table import PropertiesTable
 from ui.section import Plane
 from ui.solid_words import measured
@@ -56,21 +55,21 @@ def turn_z(angle: float) -> np.ndarray:
 def test_a_ray_finds_the_face_the_cut_face_and_nothing_beyond() -> None:
     frames, layers = {"wheel": Frame(Place(), Place())}, (box(),)
     ray = (np.array([100.0, 1.0, 2.0]), np.array([-1.0, 0.0, 0.0]))
-    found = pick(Picker(), layers, frames, ray)
+    found = pick(layers, frames, ray)
     assert found is not None and np.allclose(found.point, [10, 1, 2]) and np.allclose(found.normal, [1, 0, 0])
-    found = pick(Picker(), layers, frames, ray, Plane(0, 4.0, 1))
+    found = pick(layers, frames, ray, Plane(0, 4.0, 1))
     assert found is not None and np.allclose(found.point, [4, 1, 2]) and np.allclose(found.normal, [1, 0, 0])
-    found = pick(Picker(), layers, frames, ray, Plane(2, 5.0, 1))
+    found = pick(layers, frames, ray, Plane(2, 5.0, 1))
     assert found is not None and np.allclose(found.point, [10, 1, 2])
-    assert pick(Picker(), layers, frames, ray, Plane(2, 1.0, 1)) is None
-    assert pick(Picker(), layers, frames, ray, Plane(0, -20.0, 1)) is None
+    assert pick(layers, frames, ray, Plane(2, 1.0, 1)) is None
+    assert pick(layers, frames, ray, Plane(0, -20.0, 1)) is None
 
 
 def test_a_turned_body_is_picked_where_it_is_and_told_in_its_own_frame() -> None:
     turn = Place(turn_z(0.3), np.array([0.5, 0.0, -0.25]))
     base = Place(turn_z(np.pi / 2), np.array([0.0, 0.0, 1.0]))
     ray = (np.array([100.0, 0.0, 2.0]), np.array([-1.0, 0.0, 0.0]))
-    found = pick(Picker(), (box(),), {"wheel": Frame(base, turn)}, ray)
+    found = pick((box(),), {"wheel": Frame(base, turn)}, ray)
     assert found is not None and found.point[1] == pytest.approx(0.0)
     assert np.allclose(turn.of(base.of(found.local)), found.point)
     assert np.allclose(found.point[0], 0.5 + 10 / np.cos(0.3))

@@ -11,7 +11,7 @@ from ui.layers import Layer, Panel
 
 _FLANK_IDS = ("deviation", "cad_flank")
 CONTEXT_IDS = ("tooth", "gear")
-_ENOUGH_TO_AIM = 20_000
+_ENOUGH_TO_AIM = 3_000
 
 
 def focus_of(panels: Sequence[Panel]) -> Focus | None:
@@ -20,8 +20,7 @@ def focus_of(panels: Sequence[Panel]) -> Focus | None:
     whole = tuple(x for x in layers if x.layer_id in CONTEXT_IDS) or layers
     if not whole:
         return None
-    around = np.concatenate([x.points for x in whole])
-    around = around[:: 1 + len(around) // _ENOUGH_TO_AIM]
+    around = np.concatenate([thinned(x.points) for x in whole])
     flanks = {x.part: x for x in layers if x.layer_id in _FLANK_IDS and x.normals is not None}
     flanks |= {x.part: x for x in layers if x.layer_id == "theory_flank" and x.normals is not None}
     centre, radius = sphere_around(whole)
@@ -31,6 +30,11 @@ def focus_of(panels: Sequence[Panel]) -> Focus | None:
     normals = {name: x.normals.mean(axis=0) for name, x in flanks.items() if x.normals is not None}
     points = np.concatenate([x.points for x in flanks.values()])
     return Focus(centre, radius, around, tooth_centre, tooth_radius, points, normals)
+
+
+def thinned(points: np.ndarray) -> np.ndarray:
+    """As many of these points as it takes to aim at them, shape (n, 3)."""
+    return points[:: 1 + len(points) // _ENOUGH_TO_AIM]
 
 
 def sphere_around(layers: Sequence[Layer]) -> tuple[np.ndarray, float]:

@@ -8,7 +8,7 @@ from PySide6.QtCore import QEvent, QObject, QPointF, Qt, QTimer, Signal
 from PySide6.QtGui import QKeyEvent
 
 from ui.layers import Layer
-from ui.picking import Hit, Hover, Picker, describe
+from ui.picking import Hit, Hover, describe, first_hit
 from ui.views.focus import CONTEXT_IDS
 
 if TYPE_CHECKING:
@@ -38,7 +38,6 @@ class Pointing(QObject):
         self._grid = grid
         self.hover: Hover | None = None
         self._pointer: QPointF | None = None
-        self._picker = Picker()
         self._timer = QTimer(self, singleShot=True, interval=0)
         self._timer.timeout.connect(self._update)
         viewport = grid.viewport
@@ -47,10 +46,6 @@ class Pointing(QObject):
         viewport.clicked.connect(self._on_clicked)
         viewport.installEventFilter(self)
 
-    def keep(self, layers: tuple[Layer, ...]) -> None:
-        """Forget what was prepared for other layers."""
-        self._picker.keep(layers)
-
     def stop(self) -> None:
         """Follow no more."""
         self._timer.stop()
@@ -58,7 +53,7 @@ class Pointing(QObject):
 
     def first(self, layers: tuple[Layer, ...], pane: int, x: float, y: float) -> Hit | None:
         """The nearest of some surfaces at a place of a pane."""
-        return self._picker.first(layers, *self._grid.viewport.looks[pane].ray(x, y))
+        return first_hit(layers, *self._grid.viewport.looks[pane].ray(x, y))
 
     def flanks(self, pane: int) -> tuple[Layer, ...]:
         """The flanks one can point at: the deviation is told also where the flank has one colour."""
@@ -124,7 +119,7 @@ class Pointing(QObject):
         grid = self._grid
         start, direction = grid.viewport.looks[pane].eye, hit.point - grid.viewport.looks[pane].eye
         for other in range(len(grid.panels)):
-            same = hit if other == pane else self._picker.first(self.flanks(other), start, direction)
+            same = hit if other == pane else first_hit(self.flanks(other), start, direction)
             value = None if same is None else same.scalar
             grid.overlays.values[other].set_text("" if value is None else grid.value_text(value), "")
 

@@ -1,0 +1,87 @@
+"""Whole gears in the real window: how long the event loop ever stands still while they come, go and are cut."""
+
+from __future__ import annotations
+
+import tempfile
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+from PySide6.QtCore import QSettings, Qt, QTimer
+from PySide6.QtWidgets import QApplication
+
+from benchmarks.window import TICK_MS, Watch, pause, wait_until, watch_drawing
+from ui.app import Studio, make_application
+from ui.theme import Theme
+
+ROUNDS = 3
+STEPS = 24
+_REST_MS = 400
+_STEP_MS = 15
+
+
+@dataclass(frozen=True)
+class Gaps:
+    """Longest time without a turn of the event loop [ms], frames left out and with them."""
+
+    name: str
+    alone: float
+    with_frames: float
+
+
+def measure(rounds: int = ROUNDS) -> list[Gaps]:
+    """Open the window, then show, cut and leave solids so many times."""
+    application = QApplication.instance() or make_application(["gearstudio"])
+    with tempfile.TemporaryDirectory() as folder:
+        watch = Watch()
+        watch_drawing(watch)
+        studio = Studio(Theme(application), QSettings(str(Path(folder) / "settings.ini"), QSettings.Format.IniFormat))
+        studio.window.may_close = lambda: True
+        studio.window.show()
+        wait_until(lambda: studio.window.area.grid is not None and not studio.session.missing_keys())
+        pause(_REST_MS)
+        ticker = QTimer(studio, interval=TICK_MS, timerType=Qt.TimerType.PreciseTimer)
+        ticker.timeout.connect(watch.tick)
+        ticker.start()
+        made = [gaps for index in range(rounds) for gaps in _round(studio, watch, index)]
+        ticker.stop()
+        studio.window.close()
+        return made
+
+
+def _round(studio: Studio, watch: Watch, index: int) -> list[Gaps]:
+    mode, panel = studio.controller.solid_mode, studio.window.solid_panel
+
+    def settled() -> bool:
+        return all(mode.solids.is_current(key) for key in mode.keys)
+
+    def watched(name: str, act: Callable[[], None]) -> Gaps:
+        watch.clear()
+        act()
+        wait_until(settled)
+        pause(_REST_MS)
+        return Gaps(name, 1e3 * max(watch.gaps(watch.frames)), 1e3 * max(watch.gaps()))
+
+    def drag() -> None:
+        slider = panel.section_slider
+        for step in range(STEPS):
+            slider.setValue(round(slider.maximum() * (0.25 + 0.5 * step / STEPS)))
+            pause(_STEP_MS)
+
+    first = index == 0
+    made = [
+        watched("gear, built" if first else "gear, there", lambda: mode.set_mode("gear")),
+        watched("flanks again", lambda: mode.set_mode("flanks")),
+        watched("pair, built" if first else "pair, there", lambda: mode.set_mode("pair")),
+        watched("section on", lambda: panel.section_box.setChecked(True)),
+        watched("section dragged", drag),
+        watched("section off", lambda: panel.section_box.setChecked(False)),
+    ]
+    mode.set_mode("flanks")
+    pause(_REST_MS)
+    return made
+
+
+if __name__ == "__main__":
+    for gaps in measure():
+        print(f"{gaps.name:18s} {gaps.alone:5.0f} ms, with frames {gaps.with_frames:5.0f} ms")
