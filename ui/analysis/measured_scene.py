@@ -6,9 +6,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gearstudio.analysis.measurement_fit import Assignment, normals_at
+from gearstudio.analysis.nets import cell_means
 from ui import layers as look
 from ui.analysis.measurement_data import ALL_TEETH, Measurement
-from ui.analysis.nets import cell_means
 from ui.grids import grid_triangles
 from ui.layers import SOLID, Indices, Layer, Style
 

@@ -8,11 +8,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gearstudio.analysis.measurement import MeasurementResult
+from gearstudio.analysis.nets import cell_means
 from gearstudio.theory.cones import MemberGeometry
 from gearstudio.theory.flank import FLANKS, FlankName
 from gearstudio.theory.modified import flank_of
 from ui.analysis.measurement_data import ALL_TEETH, Measurement
-from ui.analysis.nets import cell_means
 from ui.charts.maps import FlankMap, Line, MapData
 from ui.charts.raster import drawn_flat, frame, outline
 from ui.charts.records import Axis, ChartData, Entry, Series, Table
