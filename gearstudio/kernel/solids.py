@@ -11,17 +11,15 @@ from OCP.BRep import BRep_Tool
 from OCP.BRepAdaptor import BRepAdaptor_Curve
 from OCP.BRepBndLib import BRepBndLib
 from OCP.BRepCheck import BRepCheck_Analyzer
-from OCP.BRepGProp import BRepGProp
 from OCP.collections import IndexedDataMap_TopoDS_Shape_List_TopoDS_Shape_TopTools_ShapeMapHasher
-from OCP.GProp import GProp_GProps
 from OCP.TopAbs import TopAbs_ShapeEnum
 from OCP.TopExp import TopExp, TopExp_Explorer
 from OCP.TopoDS import TopoDS, TopoDS_Edge, TopoDS_Face, TopoDS_Shape
 
+from gearstudio.kernel.weighing import weigh
+
 Floats = NDArray[np.float64]
 
-_VOLUME_ERROR, _AREA_ERROR = 1e-8, 1e-6
-"""Relative, by the kernel's own estimate, which at worst was as large as the error."""
 _GAP_SAMPLES = 23
 
 
@@ -58,26 +56,24 @@ class SolidCheck:
 
 def check_solid(shape: TopoDS_Shape) -> SolidCheck:
     """Run the kernel's full check and integrate volume, area and inertia."""
-    volume, area = _volume(shape), GProp_GProps()
-    BRepGProp.SurfaceProperties_s(shape, area, _AREA_ERROR, False)
-    centre, matrix = volume.CentreOfMass(), volume.MatrixOfInertia()
+    weight = weigh(shape)
     shells = _parts(shape, TopAbs_ShapeEnum.TopAbs_SHELL)
     return SolidCheck(
         valid=is_valid(shape),
         closed=is_closed(shape),
         shells=len(shells),
         faces=len(_parts(shape, TopAbs_ShapeEnum.TopAbs_FACE)),
-        volume=volume.Mass(),
-        area=area.Mass(),
-        centre=(centre.X(), centre.Y(), centre.Z()),
-        inertia=np.array([[matrix.Value(i, j) for j in (1, 2, 3)] for i in (1, 2, 3)]),
+        volume=weight.volume,
+        area=weight.area,
+        centre=(float(weight.centre[0]), float(weight.centre[1]), float(weight.centre[2])),
+        inertia=weight.inertia,
         box=bounding_box(shape),
     )
 
 
 def solid_volume(shape: TopoDS_Shape) -> float:
     """Volume [mm^3], positive when the faces look outward."""
-    return float(_volume(shape).Mass())
+    return weigh(shape).volume
 
 
 def is_closed(shape: TopoDS_Shape) -> bool:
@@ -96,12 +92,6 @@ def corner_box(shape: TopoDS_Shape) -> Floats:
     """Least and greatest coordinates of its vertices [mm], shape (2, 3); quick, and the same in every format."""
     points = corners(shape)
     return np.stack([points.min(axis=0), points.max(axis=0)])
-
-
-def _volume(shape: TopoDS_Shape) -> GProp_GProps:
-    properties = GProp_GProps()
-    BRepGProp.VolumeProperties_s(shape, properties, _VOLUME_ERROR, False, False)
-    return properties
 
 
 def measured_gap(shape: TopoDS_Shape) -> float:
