@@ -10,6 +10,8 @@ import re
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
+ENGLISH = "en"
+LANGUAGES = (ENGLISH, "de", "zh")
 _HOLE = re.compile(r"\{(\d+)\}")
 _LETTER = re.compile(r"[A-Za-z]{2}")
 _DEEPEST = 8

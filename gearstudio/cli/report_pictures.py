@@ -33,13 +33,16 @@ class Photographers:
     member : {"pinion", "wheel"}
     folder : Path
         For the pictures.
+    language : str
+        Of the words in them.
     """
 
-    def __init__(self, design: str, member: MemberName, folder: Path) -> None:
+    def __init__(self, design: str, member: MemberName, folder: Path, language: str) -> None:
         self._at_work: dict[str, tuple[Path, subprocess.Popen[bytes]]] = {}
         for name, options in _PICTURES.items():
             path = folder / name
             words = [*_this_program(), "screenshot", design, "--out", str(path), "--member", member, *options]
+            words += ["--language", language]
             with _said(path).open("wb") as said:
                 self._at_work[path.stem] = (path, subprocess.Popen(words, stdout=subprocess.DEVNULL, stderr=said))
 
@@ -68,10 +71,10 @@ class Photographers:
 
 
 @contextmanager
-def photographers(design: str, member: MemberName) -> Iterator[Photographers]:
+def photographers(design: str, member: MemberName, language: str) -> Iterator[Photographers]:
     """Processes at work, ended with the block."""
     with tempfile.TemporaryDirectory(prefix="gearstudio-pictures-") as folder:
-        made = Photographers(design, member, Path(folder))
+        made = Photographers(design, member, Path(folder), language)
         try:
             yield made
         finally:

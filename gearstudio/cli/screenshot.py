@@ -7,6 +7,7 @@ from collections.abc import Callable
 
 from gearstudio.catalogue import METHOD_IDS, VARIANTS
 from gearstudio.errors import GearStudioError
+from gearstudio.words import ENGLISH, LANGUAGES
 
 MODES = ("flanks", "gear", "pair")
 QUANTITIES = ("deviation", "gaussian", "mean", "largest", "smallest")
@@ -38,6 +39,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add("--parallel", action="store_true", help="without perspective")
     add("--transparent", action="store_true", help="clear where nothing is")
     add("--no-labels", action="store_true", help="without titles, axes and scales")
+    add("--language", choices=LANGUAGES, default=ENGLISH, help="of the labels; default: en")
 
 
 def size(text: str) -> tuple[int, int]:

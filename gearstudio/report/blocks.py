@@ -88,19 +88,35 @@ class Chapter:
 
 @dataclass(frozen=True)
 class Pages:
-    """The whole report: what stands on the first page, the chapters, and the files of the figures by name."""
+    """The whole report: what stands on the first page, the chapters, and the files of the figures by name.
+
+    Attributes
+    ----------
+    language : str
+        Its code.
+    words : mapping of str to str
+        What the template itself says.
+    warnings : tuple of str
+        What whoever asked for the report should know, in English.
+    """
 
     title: str
     facts: tuple[tuple[str, str], ...]
     chapters: tuple[Chapter, ...]
     files: dict[str, bytes] = field(default_factory=dict)
     cover: Picture | None = None
+    language: str = "en"
+    words: dict[str, str] = field(default_factory=dict)
+    warnings: tuple[str, ...] = ()
 
     def data(self) -> dict[str, Any]:
         """For the typesetter, without the figures' contents."""
         cover = None if self.cover is None else asdict(self.cover)
         chapters = [asdict(one) for one in self.chapters]
-        return {"title": self.title, "facts": self.facts, "chapters": chapters, "cover": cover}
+        return {
+            "title": self.title, "facts": self.facts, "chapters": chapters, "cover": cover,
+            "language": self.language, "words": self.words,
+        }  # fmt: skip
 
 
 def rows(table: Sequence[Sequence[str]]) -> tuple[tuple[str, ...], ...]:

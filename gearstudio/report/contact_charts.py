@@ -8,6 +8,7 @@ import numpy as np
 
 from gearstudio.analysis.contact_result import ContactResult, FlankPattern
 from gearstudio.report.content import Content
+from gearstudio.report.language import DIRECTIONS_SAID, MEMBERS_SAID, inline, number, tr
 from gearstudio.report.maps import name_axes
 from gearstudio.report.style import DIVERGING, PATTERN, SIDES, Frame, figure, length_unit, rounded_up, scale, svg
 
@@ -20,7 +21,8 @@ def patterns(content: Content, contact: ContactResult) -> bytes:
     with figure(Frame(3.2, 2, 2, "each", own_x=True, own_y=True)) as (drawn, axes):
         for row, side in zip(axes, (contact.drive, contact.coast), strict=True):
             for ax, pattern in zip(row, (side.pinion, side.wheel), strict=True):
-                ax.set_title(f"{side.direction.capitalize()}: {pattern.member}, {pattern.flank}")
+                words = (inline(MEMBERS_SAID[pattern.member]), tr(pattern.flank))
+                ax.set_title(f"{tr(DIRECTIONS_SAID[side.direction])}: {', '.join(words)}")
                 _pattern(drawn, ax, content, pattern, contact.thickness_um)
         for ax in axes[0]:
             ax.tick_params(labelbottom=False)
@@ -33,21 +35,24 @@ def transmission_error(contact: ContactResult) -> bytes:
     with figure(Frame(2.0, left=0.68)) as (drawn, axes):
         ax = axes[0, 0]
         for side in (contact.drive, contact.coast):
-            label = f"{side.direction}, {arcsec(side.peak_to_peak_arcsec)}″ peak to peak"
+            label = tr(
+                "{direction}, {size}″ peak to peak",
+                direction=tr(DIRECTIONS_SAID[side.direction]), size=arcsec(side.peak_to_peak_arcsec),
+            )  # fmt: skip
             ax.plot(side.turn_deg, side.error_arcsec, color=SIDES[side.direction], label=label)
         low, high = ax.get_ylim()
         if high - low < _LEAST_ARCSEC:
             ax.set_ylim(-0.5, 0.5)
         ax.set_ylim(ax.get_ylim()[0], ax.get_ylim()[1] + 0.22 * float(np.ptp(ax.get_ylim())))
-        ax.set_xlabel("turn of the pinion [°]")
-        ax.set_ylabel("lag of the wheel [″]")
+        ax.set_xlabel(tr("turn of the pinion [°]"))
+        ax.set_ylabel(tr("lag of the wheel [″]"))
         ax.legend(loc="upper right", ncols=2)
         return svg(drawn)
 
 
 def arcsec(value: float) -> str:
     """A size of the transmission error [arcsec]; what is lost in rounding is not shown as figures."""
-    return f"{value:.3g}" if value >= _LEAST_ARCSEC else f"< {_LEAST_ARCSEC:g}"
+    return number(value, ".3g") if value >= _LEAST_ARCSEC else f"< {number(_LEAST_ARCSEC, 'g')}"
 
 
 def ease_off_maps(content: Content, contact: ContactResult) -> bytes:
@@ -63,7 +68,8 @@ def ease_off_maps(content: Content, contact: ContactResult) -> bytes:
                 x, y, height * factor, cmap=DIVERGING, vmin=-end, vmax=end, shading="gouraud", rasterized=True
             )
             ax.contour(x, y, np.asarray(side.roll_deg), 9, colors="#30343a", linewidths=0.4)
-            ax.set_title(f"{side.direction.capitalize()}: ease-off and lines of contact")
+            direction = tr(DIRECTIONS_SAID[side.direction])
+            ax.set_title(tr("{direction}: ease-off and lines of contact", direction=direction))
             ax.grid(False)
             scale(drawn, ax, shown, unit, (-end, -end / 2, 0.0, end / 2, end))
         name_axes(axes)
@@ -75,7 +81,7 @@ def _pattern(drawn: Any, ax: Any, content: Content, pattern: FlankPattern, thick
     gap = np.where(np.isfinite(pattern.gap_um), np.maximum(pattern.gap_um, 0.0), 10 * thickness_um)
     shown = ax.contourf(x, y, gap, np.linspace(0.0, thickness_um, 9), cmap=PATTERN)
     ax.plot(np.r_[x[0], x[:, -1], x[-1, ::-1], x[::-1, 0]], np.r_[y[0], y[:, -1], y[-1, ::-1], y[::-1, 0]], "k", lw=0.6)
-    scale(drawn, ax, shown, "gap µm", (0.0, float(f"{thickness_um / 2:.3g}"), float(f"{thickness_um:.3g}")))
+    scale(drawn, ax, shown, tr("gap µm"), (0.0, float(f"{thickness_um / 2:.3g}"), float(f"{thickness_um:.3g}")))
     ax.grid(False)
 
 

@@ -17,6 +17,8 @@ from gearstudio.catalogue import MEMBERS, METHOD_IDS, VARIANTS, MemberName, Vari
 from gearstudio.design import Design
 from gearstudio.errors import GearStudioError
 from gearstudio.report.exports import Exported, exports_in
+from gearstudio.report.language import told
+from gearstudio.report.measuring import Measured, MeasuredFile, compared
 from gearstudio.results import VariantResult
 from gearstudio.theory.cones import PairGeometry, pair_geometry
 
@@ -40,6 +42,8 @@ class Content:
     sheet, contact : None where the section is not wanted or the geometry does not allow it.
     folder, exports :
         Where the project is, if it is saved, and the exports with a record there.
+    measured :
+        Measured points against this design; None where there are none or where they are of another gear.
     """
 
     design: Design
@@ -53,13 +57,22 @@ class Content:
     notes: tuple[str, ...] = ()
     folder: Path | None = None
     exports: tuple[Exported, ...] = ()
+    measured: Measured | None = None
+
+
+@dataclass(frozen=True)
+class Beside:
+    """What else goes into a report: the project's folder with its exports, measured points."""
+
+    folder: Path | None = None
+    measured: MeasuredFile | Measured | None = None
 
 
 def gather(
-    design: Design, member: MemberName, sections: Collection[str], report: Report, folder: Path | None = None
+    design: Design, member: MemberName, sections: Collection[str], report: Report, beside: Beside | None = None
 ) -> Content:
     """Compute what the sections need; a part that fails is noted and leaves the others alone."""
-    pair = pair_geometry(design)
+    pair, beside = pair_geometry(design), beside or Beside()
     results: dict[Key, VariantResult] = {}
     failures: dict[Key, str] = {}
     if _BUILT_FOR & set(sections):
@@ -77,8 +90,12 @@ def gather(
     contact = _tried(lambda: contact_analysis(pair), notes) if "contact" in sections else None
     report("convergence", 0.58)
     studies = _studies(design, member) if "convergence" in sections else ()
-    exports = exports_in(folder, design) if "exports" in sections else ()
-    return Content(design, pair, member, results, failures, sheet, contact, studies, tuple(notes), folder, exports)
+    exports = exports_in(beside.folder, design) if "exports" in sections else ()
+    file = beside.measured if "measurement" in sections else None
+    measured = None if file is None else _tried(lambda: compared(design, pair, file), notes)
+    return Content(
+        design, pair, member, results, failures, sheet, contact, studies, tuple(notes), beside.folder, exports, measured
+    )
 
 
 def _studies(design: Design, member: MemberName) -> tuple[ConvergenceStudy, ...]:
@@ -92,5 +109,5 @@ def _tried(make: Callable[[], T], notes: list[str]) -> T | None:
     try:
         return make()
     except GearStudioError as error:
-        notes.append(str(error))
+        notes.append(told(error))
         return None

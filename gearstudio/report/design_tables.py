@@ -2,20 +2,22 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 
 from gearstudio.catalogue import MEMBERS
 from gearstudio.design import Design, FieldSpec, field_specs
+from gearstudio.design.choices import choice_title
 from gearstudio.report.blocks import Block, Heading, Table, Text, rows
 from gearstudio.report.content import Content
+from gearstudio.report.language import MEMBERS_SAID, notation, number, tr
 from gearstudio.report.mathematics import mathematics
 from gearstudio.theory.flank import FLANKS
+from gearstudio.words import noted
 
 _FLANKS, _BLANKS = "modifications", "blank"
 _DESIGN_SHARES = (1.0, 0.0, 0.0, 0.0, 1.0)
-_SHEET_SHARES = (1.15, 0.0, 0.0, 0.0, 0.0, 1.5, 0.0, 0.0)
-_NO_RELIEF = "None: all four flanks are the theoretical ones."
+_SHEET_SHARES = (1.1, 0.0, 0.0, 0.0, 0.0, 1.4, 0.0)
+_SOURCES = {"hypoid": noted("offset axes")}
 
 
 def design_blocks(content: Content) -> list[Block]:
@@ -27,32 +29,33 @@ def design_blocks(content: Content) -> list[Block]:
     for spec in single:
         if spec.group != group:
             group = spec.group
-            made.append((group,))
-        made.append((spec.title, mathematics(spec.symbol), shown(design, spec), spec.unit, spec.path))
-    head = ("Field", "Symbol", "Value", "Unit", "Key in the design file")
+            made.append((tr(group),))
+        made.append((tr(spec.title), mathematics(spec.symbol), shown(design, spec), tr(spec.unit), spec.path))
+    head = (tr("Field"), tr("Symbol"), tr("Value"), tr("Unit"), tr("Key in the design file"))
     blocks: list[Block] = [Table(head, rows(made), "lmdlk", _DESIGN_SHARES)]
-    return [*blocks, Heading("Blanks"), _blanks(design), Heading("Micro-geometry"), _micro_geometry(design)]
+    return [*blocks, Heading(tr("Blanks")), _blanks(design), Heading(tr("Micro-geometry")), _micro_geometry(design)]
 
 
 def sheet_blocks(content: Content) -> list[Block]:
     """Dimensions of both members with their formulas."""
     if content.sheet is None:
-        return [Text("This design has no complete tooth; see the notes.")]
+        return [Text(tr("This design has no complete tooth; see the notes."))]
     made: list[tuple[str, ...]] = []
     group = ""
     for line in content.sheet.lines():
         first = line[0]
         if first.group != group:
             group = first.group
-            made.append((group,))
-        values = (line[0].text, line[-1].text)
-        section, equation = _where(first.equation) if first.formula != "given" else ("", "")
-        made.append(
-            (first.name, mathematics(first.symbol), *values, first.unit, mathematics(first.formula), section, equation)
-        )
-    head = ("Quantity", "Symbol", "Pinion", "Wheel", "Unit", "Formula", "Theory", "Paper")
-    note = "Sections of the theory and equations of the paper where the formula stands are in the last two columns."
-    return [Text(note), Table(head, rows(made), "lmddlmcc", _SHEET_SHARES)]
+            made.append((tr(group),))
+        values = (notation(line[0].text), notation(line[-1].text))
+        where = _where(first.equation) if first.formula != "given" else ""
+        formula = mathematics(tr(first.formula))
+        made.append((tr(first.name), mathematics(first.symbol), *values, tr(first.unit), formula, where))
+    head = (tr("Quantity"), tr("Symbol"), tr("Pinion"), tr("Wheel"), tr("Unit"), tr("Formula"), tr("Source"))
+    note = tr(
+        "The last column says where the formula stands: section of the theory, and in brackets the paper's equation."
+    )
+    return [Text(note), Table(head, rows(made), "lmddlml", _SHEET_SHARES)]
 
 
 def shown(design: Design, spec: FieldSpec) -> str:
@@ -61,8 +64,10 @@ def shown(design: Design, spec: FieldSpec) -> str:
     for name in spec.path.split("."):
         value = getattr(value, name)
     if value is None:
-        return "derived"
-    return f"{value:.10g}" if isinstance(value, float) else str(value).replace("_", " ")
+        return tr("derived")
+    if isinstance(value, float):
+        return number(value)
+    return tr(choice_title(value)) if isinstance(value, str) else str(value)
 
 
 def _specs() -> Iterator[FieldSpec]:
@@ -77,30 +82,31 @@ def _like(*path: str) -> dict[str, FieldSpec]:
 def _blanks(design: Design) -> Block:
     members = [_like(_BLANKS, member) for member in MEMBERS]
     made = [
-        (spec.title, mathematics(spec.symbol), *(shown(design, of[name]) for of in members), spec.unit, name)
+        (tr(spec.title), mathematics(spec.symbol), *(shown(design, of[name]) for of in members), tr(spec.unit), name)
         for name, spec in members[0].items()
     ]
-    head = ("Field", "Symbol", *(member.capitalize() for member in MEMBERS), "Unit", "Key in [blank.MEMBER]")
+    head = (tr("Field"), tr("Symbol"), *(tr(MEMBERS_SAID[member]) for member in MEMBERS), tr("Unit"),
+            tr("Key in {table}", table="[blank.MEMBER]"))  # fmt: skip
     return Table(head, rows(made), "lmddlk")
 
 
 def _micro_geometry(design: Design) -> Block:
     flanks = {(member, flank): _like(_FLANKS, member, flank) for member in MEMBERS for flank in FLANKS}
     if all(_plain(design, spec) for fields in flanks.values() for spec in fields.values()):
-        return Text(_NO_RELIEF)
+        return Text(tr("None: all four flanks are the theoretical ones."))
     made = [
-        (spec.title, mathematics(spec.symbol), *(shown(design, of[name]) for of in flanks.values()), spec.unit)
+        (tr(spec.title), mathematics(spec.symbol), *(shown(design, of[name]) for of in flanks.values()), tr(spec.unit))
         for name, spec in next(iter(flanks.values())).items()
     ]
-    head = ("Field", "Symbol", *(f"{member.capitalize()} {flank}" for member, flank in flanks), "Unit")
-    return Table(head, rows(made), "lmddddl")
+    heads = (f"{tr(MEMBERS_SAID[member])}, {tr(flank)}" for member, flank in flanks)
+    return Table((tr("Field"), tr("Symbol"), *heads, tr("Unit")), rows(made), "lmddddl")
 
 
 def _plain(design: Design, spec: FieldSpec) -> bool:
     return not spec.unit or shown(design, spec) == "0"
 
 
-def _where(equation: str) -> tuple[str, str]:
-    """``2 [7]`` as the section of the theory and the paper's equation."""
+def _where(equation: str) -> str:
+    """``2 [7]`` as the section of the theory and the paper's equation: ``2 (7)``; names of standards as they are."""
     section, _, printed = equation.partition(" [")
-    return re.sub(r"\s", "", section), f"({printed.rstrip(']')})" if printed else ""
+    return tr(_SOURCES.get(section, section)) + (f" ({printed.rstrip(']')})" if printed else "")

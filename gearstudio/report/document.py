@@ -5,7 +5,8 @@ from __future__ import annotations
 import json
 import platform
 import tempfile
-from collections.abc import Callable, Collection
+from collections.abc import Callable
+from dataclasses import dataclass, field, replace
 from datetime import datetime
 from importlib import metadata, resources
 from pathlib import Path
@@ -13,25 +14,51 @@ from pathlib import Path
 from gearstudio import __version__
 from gearstudio.catalogue import MemberName
 from gearstudio.design import Design
+from gearstudio.design.choices import choice_title
 from gearstudio.errors import ModellingError
 from gearstudio.report.blocks import Pages
 from gearstudio.report.chapters import chapter
-from gearstudio.report.content import Content, gather
-from gearstudio.report.sections import SECTION_KEYS
+from gearstudio.report.content import Beside, Content, gather
+from gearstudio.report.fonts import FAMILIES, cjk_family
+from gearstudio.report.language import CJK, MEMBERS_SAID, inline, language, moment, number, speaking, tr
+from gearstudio.report.sections import SECTION_KEYS, SECTIONS
 from gearstudio.report.store import Store, Taken
+from gearstudio.words import ENGLISH
 
 Report = Callable[[str, float], None]
 _COVER_WIDTH = 0.9
+_TITLES = {section.key: section.title for section in SECTIONS}
 _PARTS = ("cadquery-ocp-novtk", "numpy", "scipy", "typst")
+_NO_FONT = "no font with Chinese characters was found, so the report is in English; install one, such as Noto Sans CJK"
+
+
+@dataclass(frozen=True)
+class Order:
+    """What a report is to have.
+
+    Attributes
+    ----------
+    sections : tuple of str
+        Keys of `SECTIONS`; they come in the order of the report.
+    member : {"pinion", "wheel"}
+        Whose flanks the maps show; tables have both.
+    language : str
+        A code of `LANGUAGES`.
+    beside : Beside
+        The project's folder, measured points.
+    """
+
+    sections: tuple[str, ...]
+    member: MemberName
+    language: str = ENGLISH
+    beside: Beside = field(default_factory=Beside)
 
 
 def compose(
     design: Design,
-    sections: Collection[str],
-    member: MemberName,
+    order: Order,
     pictures: Callable[[], Taken],
     report: Report,
-    folder: Path | None = None,
 ) -> Pages:
     """Compute and draw the report of a design.
 
@@ -39,29 +66,41 @@ def compose(
     ----------
     design : Design
         Without errors.
-    sections : collection of str
-        Keys of `SECTIONS`; they come in the order of the report.
-    member : {"pinion", "wheel"}
-        Whose flanks the maps show; tables have both.
+    order : Order
+        What goes in, in which language.
     pictures : callable
         Called last, for pictures of the three views (``views``) and of the pair (``pair``), when they are wanted.
     report : callable
         Takes the stage that begins and the fraction done.
-    folder : Path, optional
-        Where the project is, and with it the exports.
     """
-    content = gather(design, member, sections, report, folder)
+    warnings: tuple[str, ...] = ()
+    code = order.language
+    if code in CJK and cjk_family() is None:
+        code, warnings = ENGLISH, (_NO_FONT,)
+    with speaking(language(code)):
+        pages = _composed(design, order, pictures, report)
+        return replace(pages, language=code, words=_template_words(), warnings=warnings)
+
+
+def _composed(design: Design, order: Order, pictures: Callable[[], Taken], report: Report) -> Pages:
+    sections = order.sections
+    content = gather(design, order.member, sections, report, order.beside)
     store, made = Store(), {}
-    wanted = [key for key in SECTION_KEYS if key in sections]
+    wanted = [key for key in SECTION_KEYS if key in sections and (key != "measurement" or order.beside.measured)]
     for index, key in enumerate(sorted(wanted, key=lambda one: one == "pictures")):
         if key == "pictures":
             report("waiting for pictures", 0.6 + 0.3 * index / len(wanted))
             store.taken = pictures()
-        report(f"drawing {key}", 0.6 + 0.3 * index / len(wanted))
+        report(f"drawing: {_TITLES[key]}", 0.6 + 0.3 * index / len(wanted))
         made[key] = chapter(key, content, store)
     cover = store.picture("pair", "", _COVER_WIDTH)
     chapters = tuple(made[key] for key in wanted)
-    return Pages(design.name or "Unnamed pair", _facts(content), chapters, store.files, cover)
+    return Pages(design.name or tr("Unnamed pair"), _facts(content), chapters, store.files, cover)
+
+
+def _template_words() -> dict[str, str]:
+    """What the template says by itself."""
+    return {"heading": tr("Spiral bevel gear report"), "printed": tr("The paper prints")}
 
 
 def typeset(pages: Pages, dots_per_inch: int = 0) -> tuple[bytes, ...]:
@@ -78,7 +117,8 @@ def typeset(pages: Pages, dots_per_inch: int = 0) -> tuple[bytes, ...]:
         root = Path(folder)
         template = resources.files("gearstudio.report") / "report.typ"
         (root / "report.typ").write_text(template.read_text(encoding="utf-8"), encoding="utf-8")
-        (root / "data.json").write_text(json.dumps(pages.data()), encoding="utf-8")
+        data = {**pages.data(), "fonts": FAMILIES}
+        (root / "data.json").write_text(json.dumps(data), encoding="utf-8")
         for name, content in pages.files.items():
             (root / name).write_bytes(content)
         try:
@@ -93,19 +133,35 @@ def typeset(pages: Pages, dots_per_inch: int = 0) -> tuple[bytes, ...]:
 def _facts(content: Content) -> tuple[tuple[str, str], ...]:
     d, pair = content.design, content.pair
     versions = ", ".join(f"{name} {metadata.version(name)}" for name in _PARTS)
-    facts = [
-        ("Pair", f"{d.pair.pinion_teeth} / {d.pair.wheel_teeth} teeth, outer module {d.pair.outer_module:g} mm, "
-                 f"shaft angle {d.pair.shaft_angle_deg:g}°, {d.pair.pinion_hand}-hand pinion"),
-        ("Teeth", f"{d.lengthwise.curve.replace('_', ' ').capitalize()}, "
-                  f"spiral angle {d.lengthwise.spiral_angle_deg:g}° at "
-                  f"{d.lengthwise.spiral_angle_at}, pressure angle {d.pair.pressure_angle_deg:g}° "
-                  f"{d.pair.pressure_angle_kind}"),
-        ("Size", f"outer cone distance {pair.wheel.outer_cone_distance:.4f} mm, "
-                 f"face width {pair.wheel.face_width:.4f} mm"),
-        ("Maps show", f"the {content.member}"),
-        ("Tolerance", f"{d.methods.tolerance_um:g} µm for the optimised variants"),
-        ("Made", f"{datetime.now().astimezone():%Y-%m-%d %H:%M %Z} by GearStudio {__version__}"),
-        ("With", f"Python {platform.python_version()}, {versions}, on {platform.system()}"),
-        *(("Note", note) for note in content.notes),
-    ]  # fmt: skip
-    return tuple(facts)
+    made = tr(
+        "{moment} by {program}, {kernel}",
+        moment=moment(datetime.now().astimezone()), program=f"GearStudio {__version__}",
+        kernel=f"Python {platform.python_version()}, {versions}, {platform.system()}",
+    )  # fmt: skip
+    return (
+        (tr("Pair"), _pair_words(d)),
+        (tr("Teeth"), tr(
+            "{curve}, spiral angle {spiral}° ({place}), pressure angle {pressure}° ({kind})",
+            curve=tr(choice_title(d.lengthwise.curve)), spiral=number(d.lengthwise.spiral_angle_deg),
+            place=inline(choice_title(d.lengthwise.spiral_angle_at)), pressure=number(d.pair.pressure_angle_deg),
+            kind=inline(choice_title(d.pair.pressure_angle_kind)),
+        )),
+        (tr("Size"), tr(
+            "outer cone distance {distance} mm, face width {width} mm (wheel)",
+            distance=number(pair.wheel.outer_cone_distance, ".4f"), width=number(pair.wheel.face_width, ".4f"),
+        )),
+        (tr("Maps show"), tr(MEMBERS_SAID[content.member])),
+        (tr("Tolerance"), tr("{size} µm for the optimised variants", size=number(d.methods.tolerance_um))),
+        (tr("Made"), made),
+        *((tr("Note"), note) for note in content.notes),
+    )  # fmt: skip
+
+
+def _pair_words(d: Design) -> str:
+    hand = tr("left-hand pinion") if d.pair.pinion_hand == "left" else tr("right-hand pinion")
+    words = tr(
+        "{pinion} / {wheel} teeth, outer module {module} mm, shaft angle {angle}°, {hand}",
+        pinion=d.pair.pinion_teeth, wheel=d.pair.wheel_teeth, module=number(d.pair.outer_module),
+        angle=number(d.pair.shaft_angle_deg), hand=hand,
+    )  # fmt: skip
+    return words + (tr(", offset {offset} mm", offset=number(d.pair.offset)) if d.pair.offset else "")

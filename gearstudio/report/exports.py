@@ -13,6 +13,7 @@ from gearstudio.exchange.record import SUFFIX, ExportRecord, checksum, read_reco
 from gearstudio.exchange.verify import different_fields
 from gearstudio.files import read_bytes
 from gearstudio.report.blocks import Block, Table, Text, rows
+from gearstudio.report.language import number, told, tr
 
 _MOST = 60
 _MOST_FIELDS = 4
@@ -50,25 +51,24 @@ def exports_in(folder: Path | None, design: Design) -> tuple[Exported, ...]:
 def chapter_blocks(found: tuple[Exported, ...], folder: Path | None) -> list[Block]:
     """The chapter: of each file what it is, whether it still is so, and its faces."""
     if folder is None:
-        return [Text("The design is not saved, so there is no folder in which exports could be.")]
+        return [Text(tr("The design is not saved, so there is no folder in which exports could be."))]
     if not found:
-        return [Text(f"There are no exports with a record in {folder}.")]
+        return [Text(tr("There are no exports with a record in {folder}.", folder=folder))]
     made: list[tuple[str, ...]] = []
     remarks: list[Block] = []
     for one in found:
         made.append((f"{one.name}: {one.what}",))
         made += [
-            (f"{face.member}, {face.title}", f"{face.largest_um:.4g}", f"{face.limit_um:.3g}",
-             "within" if face.good else "OUT OF LIMITS")
+            (f"{tr(face.member)}, {told(face.title)}", number(face.largest_um, ".4g"), number(face.limit_um, ".3g"),
+             tr("within") if face.good else tr("OUT OF LIMITS"))
             for face in one.faces
         ]  # fmt: skip
         remarks += [Text(f"{one.name}: {remark}.") for remark in one.remarks]
-    summary = Table(
-        ("File", "Read back", "Written"), rows([(one.name, one.found, one.made) for one in found]), "kll", (0.0, 1.0)
-    )
-    faces = Table(("Face farthest from theory", "Largest [µm]", "Limit [µm]", "Verdict"), rows(made), "lddl")
-    intro = "Every file was read back after it was written, and held against the exact geometry."
-    return [Text(intro), summary, *remarks, faces]
+    files = [(one.name, one.found, one.made) for one in found]
+    summary = Table((tr("File"), tr("Read back"), tr("Written")), rows(files), "kll", (0.0, 1.0, 1.0))
+    head = (tr("Face farthest from theory"), tr("Largest [µm]"), tr("Limit [µm]"), tr("Verdict"))
+    intro = tr("Every file was read back after it was written, and held against the exact geometry.")
+    return [Text(intro), summary, *remarks, Table(head, rows(made), "lddl")]
 
 
 def _exported(path: Path, design: Design) -> Exported:
@@ -78,12 +78,15 @@ def _exported(path: Path, design: Design) -> Exported:
         check = data["check"]
         faces = tuple(FaceCheck(**face) for face in check["deviations"])
         words = _words(check)
-        made = f"{str(data['written'])[:16].replace('T', ' ')} by {data['program']}, {check['kernel']}"
+        made = tr(
+            "{moment} by {program}, {kernel}",
+            moment=str(data["written"])[:16].replace("T", " "), program=data["program"], kernel=check["kernel"],
+        )  # fmt: skip
     except FileError as error:
-        return Exported(path.name, "", "", "", (), (error.reason,))
+        return Exported(path.name, "", "", "", (), (told(error.reason),))
     except (KeyError, TypeError, ValueError):
-        return Exported(path.name, "", "", "", (), ("the record does not say what was found",))
-    remarks = (*(f"{problem}" for problem in check.get("problems", ())), *_changes(record, design))
+        return Exported(path.name, "", "", "", (), (tr("the record does not say what was found"),))
+    remarks = (*(told(problem) for problem in check.get("problems", ())), *_changes(record, design))
     return Exported(record.path.name, _what(record), made, words, worst(faces), remarks)
 
 
@@ -99,25 +102,27 @@ def worst(faces: tuple[FaceCheck, ...]) -> tuple[FaceCheck, ...]:
 
 def _what(record: ExportRecord) -> str:
     subject = record.subject
-    return f"{subject.member} {subject.part}, {subject.method.replace('_', ' ')}, {subject.variant}"
+    return ", ".join(tr(word) for word in (subject.member, subject.part, subject.method, subject.variant))
 
 
 def _words(check: dict[str, object]) -> str:
-    whole = "valid" if check["valid"] else "NOT VALID"
-    closed = ", closed" if check["closed"] else ""
-    return f"{check['solids']} solid(s), {check['faces']} faces, {whole}{closed}"
+    found = [
+        tr("solids: {count}", count=check["solids"]), tr("faces: {count}", count=check["faces"]),
+        tr("valid") if check["valid"] else tr("NOT VALID"), tr("closed") if check["closed"] else "",
+    ]  # fmt: skip
+    return ", ".join(filter(None, found))
 
 
 def _changes(record: ExportRecord, design: Design) -> list[str]:
     made = []
     if not record.path.is_file():
-        made.append("the file is gone; its record is still there")
+        made.append(tr("the file is gone; its record is still there"))
     elif checksum(record.path) != record.checksum:
-        made.append("the file is not as it was written: its checksum is another")
+        made.append(tr("the file is not as it was written: its checksum is another"))
     fields = different_fields(record.design, design)
     if fields:
-        more = f" and {len(fields) - _MOST_FIELDS} more" if len(fields) > _MOST_FIELDS else ""
-        made.append(
-            f"it was made of another state of the design: {', '.join(fields[:_MOST_FIELDS])}{more} changed since"
-        )
+        changed = ", ".join(fields[:_MOST_FIELDS])
+        if len(fields) > _MOST_FIELDS:
+            changed = tr("{fields} and {count} more", fields=changed, count=len(fields) - _MOST_FIELDS)
+        made.append(tr("it was made of another state of the design; changed since: {fields}", fields=changed))
     return made

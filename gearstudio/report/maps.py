@@ -11,19 +11,23 @@ from gearstudio.analysis.curvature import CurvatureMap, surface_curvature, theor
 from gearstudio.analysis.deviation import deviation_map
 from gearstudio.catalogue import METHOD_INFOS, VARIANTS
 from gearstudio.report.content import Content
+from gearstudio.report.language import FLANKS_SAID, VARIANTS_SAID, inline, number, tr
 from gearstudio.report.style import DIVERGING, SEQUENTIAL, SIDES, Frame, figure, length_unit, rounded_up, scale, svg
 from gearstudio.results import FlankResult
 from gearstudio.theory.flank import FLANKS, FlankName
 from gearstudio.theory.modified import flank_of
+from gearstudio.words import noted
 
 Floats = NDArray[np.float64]
 
 _CURVATURE_GRID = (25, 33)
 _FROM_BASE = 0.03
 _MEASURING_GRID = (5, 9)
+_LEAST_BAR = 0.15
 _LEAST_UM = 1e-6
 _LEAST_CURVATURE = 1e-9
 _MOST_OF_LINES = 900
+_THEORY = noted("Theory")
 
 
 def flat(content: Content, points: Floats) -> tuple[Floats, Floats]:
@@ -38,17 +42,17 @@ def deviation_maps(content: Content, flank: FlankName) -> bytes:
     with figure(Frame(3.9, len(VARIANTS), len(METHOD_INFOS), "each")) as (drawn, axes):
         for row, variant in zip(axes, VARIANTS, strict=True):
             for ax, method in zip(row, METHOD_INFOS, strict=True):
-                ax.set_title(f"{method.title}, {variant}")
+                ax.set_title(f"{tr(method.title)}, {tr(variant)}")
                 result = content.results.get((content.member, method.id, variant))
                 if result is None:
-                    absent(ax)
+                    absent(ax, tr("not built"))
                     continue
                 made = result.flanks[flank]
                 limit = rounded_up(max(float(np.abs(made.deviation_um).max()), _LEAST_UM))
                 unit, factor = length_unit(limit)
                 end = limit * factor
                 values = made.deviation_um * factor
-                shown = _map(ax, *flat(content, made.points), values, (-end, end), DIVERGING)
+                shown = colored(ax, *flat(content, made.points), values, (-end, end), DIVERGING)
                 scale(drawn, ax, shown, unit, (-end, -end / 2, 0.0, end / 2, end))
         name_axes(axes)
         return svg(drawn)
@@ -56,11 +60,11 @@ def deviation_maps(content: Content, flank: FlankName) -> bytes:
 
 def curvature_maps(content: Content) -> bytes:
     """Gaussian curvature of theory and of the optimised variants, a row for each flank with one scale."""
-    titles = ["Theory", *(method.title for method in METHOD_INFOS)]
+    titles = [_THEORY, *(method.title for method in METHOD_INFOS)]
     with figure(Frame(3.1, len(FLANKS), len(titles), "row")) as (drawn, axes):
         for row, name in zip(axes, FLANKS, strict=True):
             found = _curvatures(content, name)
-            low, high = (float(np.quantile(found["Theory"].gaussian, share)) for share in (0.02, 0.98))
+            low, high = (float(np.quantile(found[_THEORY].gaussian, share)) for share in (0.02, 0.98))
             size = max(abs(low), abs(high), _LEAST_CURVATURE)
             power = int(np.floor(np.log10(size)))
             if high - low < 1e-3 * size:
@@ -68,16 +72,16 @@ def curvature_maps(content: Content) -> bytes:
             unit = f"$10^{{{power}}}$/mm²"
             limits = low / 10.0**power, high / 10.0**power
             for ax, title in zip(row, titles, strict=True):
-                ax.set_title(title if name == FLANKS[0] else "")
+                ax.set_title(tr(title) if name == FLANKS[0] else "")
                 if title not in found:
-                    absent(ax)
+                    absent(ax, tr("not built"))
                     continue
                 one = found[title]
-                shown = _map(ax, *flat(content, one.points), one.gaussian / 10.0**power, limits, SEQUENTIAL)
+                shown = colored(ax, *flat(content, one.points), one.gaussian / 10.0**power, limits, SEQUENTIAL)
             scale(drawn, row[-1], shown, unit, round_ticks(*limits))
         name_axes(axes)
         for ax, name in zip(axes[:, 0], FLANKS, strict=True):
-            ax.set_ylabel(f"{name}: above pitch cone [mm]")
+            ax.set_ylabel(tr("{flank}: above pitch cone [mm]", flank=tr(name)))
         return svg(drawn)
 
 
@@ -85,7 +89,7 @@ def _curvatures(content: Content, name: FlankName) -> dict[str, CurvatureMap]:
     flank = flank_of(content.pair.member(content.member), name)
     u = np.linspace(_FROM_BASE, 1.0, _CURVATURE_GRID[0])
     v = np.linspace(0.0, 1.0, _CURVATURE_GRID[1])
-    found = {"Theory": theory_curvature(flank, u[:, None], v[None, :])}
+    found = {_THEORY: theory_curvature(flank, u[:, None], v[None, :])}
     for method in METHOD_INFOS:
         result = content.results.get((content.member, method.id, "optimised"))
         if result is not None:
@@ -100,15 +104,15 @@ def topography(content: Content, method: str) -> bytes:
             result = content.results.get((content.member, method, variant))
             if result is None:
                 for ax in row:
-                    ax.set_title(variant.capitalize())
-                    absent(ax)
+                    ax.set_title(tr(VARIANTS_SAID[variant]))
+                    absent(ax, tr("not built"))
                 continue
             measured = {name: _grid(content, name, result.flanks[name]) for name in FLANKS}
             largest = max(float(np.abs(error).max()) for _, error in measured.values())
             for ax, name in zip(row, FLANKS, strict=True):
                 points, error = measured[name]
-                _bars(ax, *flat(content, points), error / (largest or 1.0), SIDES[name])
-                ax.set_title(f"{variant.capitalize()}, {name} flank: {_longest(largest)}")
+                bars(ax, *flat(content, points), error / (largest or 1.0), SIDES[name])
+                ax.set_title(f"{tr(VARIANTS_SAID[variant])}, {inline(FLANKS_SAID[name])}: {longest_bar(largest)}")
         name_axes(axes)
         return svg(drawn)
 
@@ -118,27 +122,31 @@ def _grid(content: Content, name: FlankName, made: FlankResult) -> tuple[Floats,
     return deviation_map(flank, made.surface, _MEASURING_GRID)
 
 
-def _bars(ax: Any, x: Floats, y: Floats, share: Floats, color: str) -> None:
+def bars(ax: Any, x: Floats, y: Floats, share: Floats, color: str) -> None:
+    """A net of points, shape (n, m), and on each a bar as a share of the longest; nothing where it is NaN."""
     from matplotlib.collections import LineCollection
 
-    tops = y + 0.8 * float(np.ptp(y)) / (_MEASURING_GRID[0] - 1) * share
+    longest = max(0.8 / max(len(y) - 1, 1), _LEAST_BAR) * float(np.nanmax(y) - np.nanmin(y))
+    tops = y + longest * share
     grid = [np.column_stack(line) for a, b in ((x, y), (x.T, y.T)) for line in zip(a, b, strict=True)]
     ax.add_collection(LineCollection(grid, colors="#9aa3ad", linewidths=0.5))
-    bars = np.stack((np.column_stack((x.ravel(), y.ravel())), np.column_stack((x.ravel(), tops.ravel()))), axis=1)
-    ax.add_collection(LineCollection(list(bars), colors=color, linewidths=1.4))
+    strokes = np.stack((np.column_stack((x.ravel(), y.ravel())), np.column_stack((x.ravel(), tops.ravel()))), axis=1)
+    ax.add_collection(LineCollection(list(strokes), colors=color, linewidths=1.4))
     ax.plot(x.ravel(), tops.ravel(), ".", color=color, ms=2)
     ax.autoscale_view()
     ax.grid(False)
 
 
-def _longest(value_um: float) -> str:
+def longest_bar(value_um: float) -> str:
+    """How long the longest bar of a topography is, in words."""
     if value_um < _LEAST_UM:
-        return "no deviation here"
+        return tr("no deviation here")
     unit, factor = length_unit(value_um)
-    return f"the longest bar is {value_um * factor:.3g} {unit}"
+    return tr("the longest bar is {length} {unit}", length=number(value_um * factor, ".3g"), unit=unit)
 
 
-def _map(ax: Any, x: Floats, y: Floats, values: Floats, limits: tuple[float, float], colors: str) -> Any:
+def colored(ax: Any, x: Floats, y: Floats, values: Floats, limits: tuple[float, float], colors: str) -> Any:
+    """Values over a net as colours with some contours; what was drawn, for its scale."""
     low, high = limits
     shown = ax.pcolormesh(x, y, values, cmap=colors, vmin=low, vmax=high, shading="gouraud", rasterized=True)
     if np.ptp(values) > 1e-3 * (high - low):
@@ -156,15 +164,15 @@ def round_ticks(low: float, high: float) -> list[float]:
     return [float(f"{tick:.6g}") for tick in MaxNLocator(5).tick_values(low, high) if low <= tick <= high]
 
 
-def absent(ax: Any) -> None:
+def absent(ax: Any, reason: str) -> None:
     """Say that there is nothing to show."""
-    ax.text(0.5, 0.5, "not built", transform=ax.transAxes, ha="center", va="center", color="#60666e")
+    ax.text(0.5, 0.5, reason, transform=ax.transAxes, ha="center", va="center", color="#60666e")
     ax.grid(False)
 
 
 def name_axes(axes: Any) -> None:
     """What the axes of flanks drawn flat mean."""
     for ax in axes[-1]:
-        ax.set_xlabel("from toe to heel [mm]")
+        ax.set_xlabel(tr("from toe to heel [mm]"))
     for ax in axes[:, 0]:
-        ax.set_ylabel("above pitch cone [mm]")
+        ax.set_ylabel(tr("above pitch cone [mm]"))

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 
 from gearstudio.report.blocks import Prose
+from gearstudio.report.language import notation
 
 _LOWERED = dict(zip("₀₁₂₃₄₅₆₇₈₉ₐₑₕᵢⱼₖₗₘₙₒₚᵣₛₜᵤᵥₓ", "0123456789aehijklmnoprstuvx", strict=True))
 _RAISED = {"²": "2", "³": "3", "*": "*"}
@@ -18,6 +19,9 @@ _PIECES = re.compile(
 )
 _ALONE, _NOT_MORE = r"(?<![^\W\d_])", r"(?![^\W\d_])"
 _SYMBOLS = re.compile(rf"{_ALONE}[^\W\d_](?:_[^\W²³]+|[{''.join(_LOWERED)}]+)[²³′*]?|{_ALONE}[α-ωΑ-Ω][²³′]?{_NOT_MORE}")
+_DECIMAL = re.compile(r"(?<![\w.])\d+\.\d+")
+_LETTER = re.compile(r"[A-Za-zα-ωΑ-Ωℓ]")
+_GREEK = re.compile(r"[α-ωΑ-Ω]+")
 _PRIMED = re.compile(r"(_\([^()]*\))\s*'")
 _SIGNS = {"−": "-", "·": "dot", "/": r"\/", "′": "'", "…": "dots", '"': r"\"", "#": r"\#", "$": r"\$", "\\": r"\\",
           "&": r"\&", "_": r"\_", "^": r"\^", "`": r"\`", "@": r"\@", "~": r"\~", "<": r"\<", ">": r"\>", "*": r"\*",
@@ -37,7 +41,18 @@ def mathematics(text: str) -> str:
         if k + 2 < len(parts):
             named, lowered = parts[k + 1], parts[k + 2]
             made.append(f"_({_index(named or lowered)})")
-    return _rooted(_PRIMED.sub(r"'\1", "".join(made))).strip()
+    return pointed(_rooted(_PRIMED.sub(r"'\1", "".join(made))).strip())
+
+
+def pointed(text: str) -> str:
+    """The typesetter's mathematics with the decimal sign of the report's language."""
+    parts = re.split(r'("[^"]*")', text)
+    return "".join(part if k % 2 else _DECIMAL.sub(_written, part) for k, part in enumerate(parts))
+
+
+def _written(found: re.Match[str]) -> str:
+    written = notation(found.group())
+    return found.group() if written == found.group() else quoted(written)
 
 
 def quoted(text: str) -> str:
@@ -59,6 +74,8 @@ def _plain(text: str) -> str:
         kind, what = piece.lastgroup, piece.group()
         if kind == "text":
             made.append(_words(what))
+        elif kind == "letter" and not _LETTER.fullmatch(what):
+            made.append(quoted(what))
         elif kind == "other" and what in _RAISED:
             made.append(f"^{_RAISED[what]}")
         elif kind == "other":
@@ -76,7 +93,7 @@ def _words(text: str) -> str:
         return " ".join(words)
     if words[0] in _FUNCTIONS:
         return f"{words[0]} {_words(' '.join(words[1:]))}"
-    return " ".join(text) if len(words) == 1 and not text.isascii() else quoted(text)
+    return " ".join(text) if _GREEK.fullmatch(text) else quoted(text)
 
 
 def _spaced(pieces: list[str]) -> str:

@@ -24,6 +24,7 @@ SECTIONS = (
     Section("deviation", "Deviation maps", "Where each method deviates from the exact flank"),
     Section("curvature", "Curvature", "Gaussian curvature of the surfaces and of theory"),
     Section("topography", "Topography", "The measuring grid with a bar at each point, both flanks"),
+    Section("measurement", "Measurement", "Measured points against the theory: errors of the flanks, a map, the pitch"),
     Section("contact", "Tooth contact", "Contact pattern, ease-off and transmission error, drive and coast"),
     Section("convergence", "Convergence", "Largest deviation against poles and seconds of each method"),
     Section("exports", "Exports", "What was written beside the project, and what was found on reading it back"),

@@ -14,6 +14,9 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
+from gearstudio.report.fonts import cjk_family
+from gearstudio.report.language import CJK, notation, number, spoken
+
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
@@ -95,7 +98,7 @@ def figure(frame: Frame) -> Iterator[tuple[Figure, Any]]:
     fall = 0.42 if frame.own_x else 0.24
     width = wide - gap * (frame.columns - 1) / frame.columns
     length = high - fall * (frame.rows - 1) / frame.rows
-    with mpl.rc_context(_LOOK):
+    with mpl.rc_context(_look()):
         drawn = Figure(figsize=(TEXT_WIDTH, frame.height))
         axes = drawn.subplots(
             frame.rows, frame.columns, squeeze=False, sharex=not frame.own_x, sharey=not frame.own_y,
@@ -108,15 +111,40 @@ def figure(frame: Frame) -> Iterator[tuple[Figure, Any]]:
         yield drawn, axes
 
 
+def _look() -> dict[str, Any]:
+    """With a font for the characters of the report's language."""
+    family = cjk_family() if spoken().code in CJK else None
+    return _LOOK if family is None else {**_LOOK, "font.family": ["DejaVu Sans", family]}
+
+
 def svg(drawn: Figure) -> bytes:
     """The figure as a drawing; maps inside it are pictures, everything else lines."""
     import matplotlib as mpl
     from matplotlib.backends.backend_svg import FigureCanvasSVG
 
     out = io.BytesIO()
-    with mpl.rc_context(_LOOK):
+    for ax in drawn.axes if spoken().decimal != "." else ():
+        for axis in (ax.xaxis, ax.yaxis):
+            axis.set_major_formatter(_written(axis.get_major_formatter()))
+    with mpl.rc_context(_look()):
         FigureCanvasSVG(drawn).print_svg(out, metadata={"Date": None})
     return out.getvalue()
+
+
+def _written(formatter: Any) -> Any:
+    """A formatter of ticks whose numbers are as the report's language writes them."""
+    from matplotlib.ticker import Formatter
+
+    class Written(Formatter):
+        """Ticks of another formatter."""
+
+        def __call__(self, value: float, position: int | None = None) -> str:
+            return notation(formatter(value, position))
+
+        def format_ticks(self, values: Any) -> list[str]:
+            return [notation(text) for text in formatter.format_ticks(values)]
+
+    return Written()
 
 
 def scale(drawn: Figure, ax: Any, shown: Any, unit: str, ticks: Sequence[float]) -> None:
@@ -137,7 +165,7 @@ def scale(drawn: Figure, ax: Any, shown: Any, unit: str, ticks: Sequence[float])
     drawn.add_artist(frame)
     for tick in ticks:
         y = box.y0 + box.height * (tick - low) / (high - low)
-        drawn.text(x1 + 0.03 / TEXT_WIDTH, y, f"{tick:g}".replace("-", "−"), fontsize=6, va="center_baseline")
+        drawn.text(x1 + 0.03 / TEXT_WIDTH, y, number(tick, "g"), fontsize=6, va="center_baseline")
     drawn.text(x0, box.y1 + 0.05 / drawn.get_figheight(), unit, fontsize=6, va="bottom")
 
 

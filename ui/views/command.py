@@ -34,12 +34,14 @@ def take_picture(args: argparse.Namespace) -> int:
 
     from ui.app import make_application
     from ui.camera import VIEWS
+    from ui.language import install
     from ui.theme import Theme
 
     if args.view is not None and args.view not in VIEWS:
         problem(f"--view {args.view[:40]}: no such view; there are {', '.join(VIEWS)}")
         return UNUSABLE_INPUT
     application = make_application([sys.argv[0]])
+    install(application, args.language)
     Theme(application).choose(Qt.ColorScheme.Dark if args.theme == "dark" else Qt.ColorScheme.Light)
     progress = Progress()
     try:
