@@ -83,6 +83,7 @@ COMMANDS = (
     Command("palette", "Command &palette…", "Find any command or parameter by a few letters", "Ctrl+Shift+P"),
     Command("keys", "&Keys…", "List and change the keys of all commands"),
     Command("what_is_this", "&What is this?", "Explain the parameter with the cursor, or what is clicked", "Shift+F1"),
+    Command("show_equation", "&Show equation", "The equation of the parameter or row with the cursor", "Ctrl+F1"),
     Command("build_gear", "Build &gear", "Build the whole gear as a solid and show it", "Ctrl+G"),
     Command("build_pair", "Build &pair", "Build both gears and show them in mesh", "Ctrl+Shift+G"),
     Command("rebuild", "&Rebuild", "Build every variant again", "F5", "rebuild"),
@@ -244,7 +245,7 @@ class Actions(QObject):
         for group in (self.members, self.methods, self.variants):
             model.addSeparator()
             model.addActions(group.actions())
-        learn = ("guide", "tour", "glossary", "equations", "", "what_is_this", "keys")
+        learn = ("guide", "tour", "glossary", "equations", "", "what_is_this", "show_equation", "keys")
         _fill(bar.addMenu(tr("&Help")), (*learn, "", "about", "diagnostics", "", "reset_settings"), self)
 
 

@@ -37,6 +37,13 @@ def field_value_text(spec: FieldSpec, value: Any) -> str:
     return shown if spec.kind == "int" else f"{shown}{spaced(spec.unit)}"
 
 
+def has_equation(spec: FieldSpec) -> bool:
+    """Whether a field enters an equation of the browser."""
+    from gearstudio.equations import equations_of_field
+
+    return bool(equations_of_field(spec.path))
+
+
 def tooltip(spec: FieldSpec) -> str:
     """What a parameter is, its symbol, where it enters the equations, its range and default."""
     head = f"<b>{escape(tr(spec.title))}</b>" + (f" &nbsp;<i>{subscripts(spec.symbol)}</i>" if spec.symbol else "")
@@ -54,6 +61,8 @@ def explanation(spec: FieldSpec, value: Any, idle: str, effects: Sequence[str]) 
         lines.append(f"<p><b>{tr('Not used now.')}</b> {escape(idle)}</p>")
     if effects:
         lines.append("<p>" + "<br>".join(escape(effect) for effect in effects) + "</p>")
+    if has_equation(spec):
+        lines.append(f'<p><a href="equation:{spec.path}">{tr("Show equation")}</a></p>')
     lines.append(f"<p>{tr('In the design file: {key}', key=f'<code>{escape(spec.path)}</code>')}</p>")
     return "".join(lines)
 

@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QGridLayout, QLabel, QLineEdit, QMenu, QSizePolicy
 
 from gearstudio.design import FieldSpec
 from gearstudio.errors import Issue
-from ui.explain import field_value_text, tooltip
+from ui.explain import field_value_text, has_equation, tooltip
 from ui.fields import ChoiceField, NumberField, TextField, make_field, set_severity
 from ui.theme import set_icon
 from ui.units import unit_shown
@@ -31,11 +31,14 @@ class FieldRow(QWidget):
     group_reset_requested()
     explanation_requested()
         "What is this?" was asked.
+    equation_requested()
+        The equation that the field enters shall be shown.
     """
 
     reset_requested = Signal()
     group_reset_requested = Signal()
     explanation_requested = Signal()
+    equation_requested = Signal()
 
     def __init__(self, spec: FieldSpec, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -141,6 +144,8 @@ class FieldRow(QWidget):
         group.triggered.connect(self.group_reset_requested)
         menu.addSeparator()
         menu.addAction(tr("What is this?")).triggered.connect(self.explanation_requested)
+        if has_equation(self.spec):
+            menu.addAction(tr("Show equation")).triggered.connect(self.equation_requested)
         return menu
 
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:

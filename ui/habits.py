@@ -88,7 +88,7 @@ class Habits(QObject):
 
         spec, row = all_field_specs()[path], self._window.form.rows[path]
         text = explanation(spec, row.field.value(), row.idle, effect_lines(self._session.design, spec))
-        QWhatsThis.showText(row.field.mapToGlobal(QPoint(0, row.field.height())), text, row.field)
+        QWhatsThis.showText(row.field.mapToGlobal(QPoint(0, row.field.height())), text, self._window)
 
     def copy(self, *, whole: bool = False) -> None:
         """Copy what is chosen in the table or text with the focus, or the whole table."""

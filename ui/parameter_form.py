@@ -36,6 +36,8 @@ class ParameterForm(QWidget):
         A field, or all fields of a group, shall have their defaults.
     field_asked(str)
         The user asks what a field is.
+    equation_asked(str)
+        The user asks for the equation that a field enters.
     folds_changed()
         Other groups are folded.
     """
@@ -45,6 +47,7 @@ class ParameterForm(QWidget):
     field_reset = Signal(str)
     group_reset = Signal(str)
     field_asked = Signal(str)
+    equation_asked = Signal(str)
     folds_changed = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
@@ -203,12 +206,11 @@ class ParameterForm(QWidget):
                 self._take_row(row)
                 section.add(row)
         layout.addStretch(1)
-        scroll = QScrollArea()
-        scroll.setWidgetResizable(True)
-        scroll.setFrameShape(QFrame.Shape.NoFrame)
+        label_width = max(LABEL_WIDTH, *(row.longest_word for row in self.rows.values()))
+        for row in self.rows.values():
+            row.set_label_width(label_width)
+        scroll = UprightScroll(page)
         scroll.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-        scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        scroll.setWidget(page)
         scroll.setMinimumWidth(MINIMUM_WIDTH)
         return scroll
 
@@ -227,6 +229,7 @@ class ParameterForm(QWidget):
         row.reset_requested.connect(lambda: self.field_reset.emit(spec.path))
         row.group_reset_requested.connect(lambda: self.group_reset.emit(spec.group))
         row.explanation_requested.connect(lambda: self.field_asked.emit(spec.path))
+        row.equation_requested.connect(lambda: self.equation_asked.emit(spec.path))
         self.rows[spec.path] = row
 
     def _on_edited(self, row: FieldRow, value: Any) -> None:

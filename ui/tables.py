@@ -45,12 +45,13 @@ def offer_copy(view: QAbstractItemView) -> None:
 
 
 def copy_menu(view: QAbstractItemView) -> QMenu:
-    """Copy and Copy table."""
+    """Copy and Copy table, and what else the table offers."""
     menu = QMenu(view)
     chosen = menu.addAction(tr("Copy"))
     chosen.setShortcut(QKeySequence(QKeySequence.StandardKey.Copy))
     chosen.triggered.connect(lambda: copy(view))
     menu.addAction(tr("Copy table")).triggered.connect(lambda: copy(view, whole=True))
+    menu.addActions(view.actions())
     return menu
 
 

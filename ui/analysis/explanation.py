@@ -6,7 +6,7 @@ import re
 from html import escape
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QFrame, QLabel, QScrollArea, QWidget
 
 from ui.analysis.sheet_table import lowered, shown_value
@@ -20,7 +20,15 @@ if TYPE_CHECKING:
 
 
 class Explanation(QScrollArea):
-    """Explains one line of the sheet."""
+    """Explains one line of the sheet.
+
+    Signals
+    -------
+    equation_asked(str)
+        Key of the quantity whose equation shall be shown.
+    """
+
+    equation_asked = Signal(str)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -29,7 +37,12 @@ class Explanation(QScrollArea):
         self._text.setWordWrap(True)
         self._text.setProperty("role", "page")
         self._text.setAlignment(Qt.AlignmentFlag.AlignTop | Qt.AlignmentFlag.AlignLeft)
-        self._text.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        self._text.setTextInteractionFlags(
+            Qt.TextInteractionFlag.TextSelectableByMouse
+            | Qt.TextInteractionFlag.LinksAccessibleByMouse
+            | Qt.TextInteractionFlag.LinksAccessibleByKeyboard
+        )
+        self._text.linkActivated.connect(self.equation_asked)
         self._text.setContentsMargins(14, 8, 12, 8)
         self.setWidgetResizable(True)
         self.setFrameShape(QFrame.Shape.NoFrame)
@@ -58,12 +71,16 @@ class Explanation(QScrollArea):
 
 def explanation(line: tuple[Quantity, ...]) -> str:
     """A line of the sheet as rich text."""
+    from gearstudio.equations import equations_of_quantity
+
     first, muted = line[0], tokens().muted
     parts = [
         f'<p style="margin:0 0 4px 0"><b>{escape(tr(first.name))}</b></p>',
         f'<p style="margin:4px 0; font-size:large">{lowered(tr(first.formula))}</p>',
         f'<p style="margin:0 0 8px 0; color:{muted}">{where(first.equation)}</p>',
     ]
+    if equations_of_quantity(first.key):
+        parts.append(f'<p style="margin:0 0 8px 0"><a href="{escape(first.key)}">{tr("Show equation")}</a></p>')
     for quantity in line:
         head = "" if quantity.owner == "pair" else f"{tr(MEMBER_TITLES[quantity.owner])}: "
         result = f"<i>{lowered(quantity.symbol)}</i> = {_number(shown_value(quantity), quantity.unit)}"

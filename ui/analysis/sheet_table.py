@@ -160,6 +160,12 @@ class SheetTable(QWidget):
                 self.table.selectRow(row)
                 self.table.scrollToItem(self.table.item(row, 0))
 
+    def equations_at(self, row: int) -> tuple[str, ...]:
+        """Keys of the equations that give the quantity of a row."""
+        from gearstudio.equations import equations_of_quantity
+
+        return equations_of_quantity(self._lines[row][0].key) if row in self._lines else ()
+
     def _arrange(self, lines: tuple[tuple[Quantity, ...], ...]) -> None:
         self.table.clearSpans()
         self._lines, row, group = {}, 0, ""

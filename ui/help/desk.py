@@ -5,11 +5,12 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject
-from PySide6.QtWidgets import QDialog
+from PySide6.QtWidgets import QDialog, QDockWidget
 
 from ui.help.equations import EquationBrowser
 from ui.help.guide import GuideWindow
 from ui.help.tour import Tour
+from ui.help.ways import Ways
 
 if TYPE_CHECKING:
     from ui.main_window import MainWindow
@@ -25,6 +26,8 @@ class HelpDesk(QObject):
         self._guide: GuideWindow | None = None
         self._equations: EquationBrowser | None = None
         self.tour = Tour(window)
+        self.ways = Ways(session, window)
+        self.ways.equation_asked.connect(self.open_equations)
         commands = window.commands
         commands["tour"].triggered.connect(lambda: self.tour.start())
         commands["guide"].triggered.connect(lambda: self.open_guide())
@@ -45,10 +48,23 @@ class HelpDesk(QObject):
         if self._equations is None:
             self._equations = EquationBrowser(self._session, self._window)
             self._equations.finished.connect(self._forget_equations)
+            self._equations.field_asked.connect(self.go_to_field)
         _to_front(self._equations)
         if key:
             self._equations.choose(key)
         return self._equations
+
+    def go_to_field(self, path: str) -> None:
+        """Bring a parameter into sight, in front of the equation that uses it."""
+        window = self._window
+        dock = window.form.parentWidget()
+        while dock is not None and not isinstance(dock, QDockWidget):
+            dock = dock.parentWidget()
+        if dock is not None:
+            dock.show()
+            dock.raise_()
+        window.activateWindow()
+        window.form.go_to(path)
 
     def _forget_guide(self) -> None:
         if self._guide is not None:

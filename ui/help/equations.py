@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
+from html import escape
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QByteArray, QSize, Qt
-from PySide6.QtGui import QPainter, QPaintEvent
+from PySide6.QtCore import QByteArray, QSize, Qt, Signal
+from PySide6.QtGui import QBrush, QColor, QPainter, QPaintEvent
 from PySide6.QtSvg import QSvgRenderer
 from PySide6.QtWidgets import (
     QDialog,
     QFrame,
     QHBoxLayout,
+    QLabel,
     QLineEdit,
     QScrollArea,
     QSplitter,
@@ -21,13 +23,14 @@ from PySide6.QtWidgets import (
 )
 
 from gearstudio.catalogue import MEMBERS
+from gearstudio.design import all_field_specs
 from ui.analysis.background import Newest
 from ui.help.typeset import drawing
 from ui.theme import tokens
 from ui.words import tr
 
 if TYPE_CHECKING:
-    from gearstudio.equations import Equation
+    from gearstudio.equations import Equation, Numbers
     from ui.session import Session
 
 _SIZE = (900, 620)
@@ -58,7 +61,15 @@ class Sheet(QWidget):
 
 
 class EquationBrowser(QDialog):
-    """A list of equations and the chosen one, with the numbers of the session's design."""
+    """A list of equations and the chosen one, with the numbers of the session's design.
+
+    Signals
+    -------
+    field_asked(str)
+        A parameter that the equation uses shall come into sight.
+    """
+
+    field_asked = Signal(str)
 
     def __init__(self, session: Session, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -82,6 +93,7 @@ class EquationBrowser(QDialog):
         self.sheet = Sheet()
         self.sheet.setAccessibleName(tr("The equation"))
         self.sheet.setProperty("role", "page")
+        self.used_by = self._make_used_by()
         self._lay_out()
         self._fill()
         session.design_changed.connect(self._on_design_changed)
@@ -91,7 +103,10 @@ class EquationBrowser(QDialog):
         """Show the equation of a key."""
         for item in self._items():
             if item.data(0, _KEY).key == key:
+                if item.isHidden():
+                    self.search.clear()
                 self.list.setCurrentItem(item)
+                self.list.scrollToItem(item)
 
     def show_chosen(self) -> None:
         """Set the chosen equation with the numbers of the design as it is now."""
@@ -99,13 +114,16 @@ class EquationBrowser(QDialog):
         one: Equation | None = item.data(0, _KEY) if item is not None else None
         if one is None:
             return
+        self.used_by.setText(used_by_text(one.key))
+        self.sheet.setAccessibleDescription(f"{tr(one.title)}. {tr(one.meaning)}")
         pair, colors, width = self._session.pair, tokens(), (self._area.viewport().width() - 8) / _SCALE
 
         def work() -> bytes:
-            from gearstudio.equations import numbers_of
+            from gearstudio.equations import holds, numbers_of
 
             found = {} if pair is None else {name: numbers_of(one, pair, name) for name in MEMBERS}
-            return drawing(one, {name: put for name, put in found.items() if put is not None}, colors, max(width, 240))
+            put: dict[str, Numbers] = {name: numbers for name, numbers in found.items() if numbers is not None}
+            return drawing(one, put, colors, max(width, 240), applies=pair is None or holds(one, pair))
 
         self._setter.request(one.key, work)
 
@@ -123,13 +141,29 @@ class EquationBrowser(QDialog):
         self._area = QScrollArea()
         self._area.setWidget(self.sheet)
         self._area.setFrameShape(QFrame.Shape.StyledPanel)
+        right = QWidget()
+        beside = QVBoxLayout(right)
+        beside.setContentsMargins(0, 0, 0, 0)
+        beside.addWidget(self._area, 1)
+        beside.addWidget(self.used_by)
         split = QSplitter()
         split.addWidget(left)
-        split.addWidget(self._area)
+        split.addWidget(right)
         split.setStretchFactor(1, 1)
         split.setSizes([270, 630])
         split.splitterMoved.connect(lambda *_: self.show_chosen())
         QHBoxLayout(self).addWidget(split)
+
+    def _make_used_by(self) -> QLabel:
+        label = QLabel()
+        label.setWordWrap(True)
+        label.setTextInteractionFlags(
+            Qt.TextInteractionFlag.LinksAccessibleByMouse | Qt.TextInteractionFlag.LinksAccessibleByKeyboard
+        )
+        label.setAccessibleName(tr("Parameters that the equation uses"))
+        label.setToolTip(tr("Go to the parameter in the window"))
+        label.linkActivated.connect(self.field_asked)
+        return label
 
     def _fill(self) -> None:
         from gearstudio.equations import EQUATIONS
@@ -145,6 +179,16 @@ class EquationBrowser(QDialog):
             item.setData(0, _KEY, one)
         self.list.expandAll()
         self.list.setCurrentItem(self._items()[0])
+        self._mark()
+
+    def _mark(self) -> None:
+        """Grey what does not hold for the design."""
+        from gearstudio.equations import holds
+
+        pair, muted = self._session.pair, QBrush(QColor(tokens().muted))
+        for item in self._items():
+            usual = pair is None or holds(item.data(0, _KEY), pair)
+            item.setForeground(0, QBrush() if usual else muted)
 
     def _items(self) -> list[QTreeWidgetItem]:
         tops = [self.list.topLevelItem(i) for i in range(self.list.topLevelItemCount())]
@@ -165,9 +209,21 @@ class EquationBrowser(QDialog):
         self.sheet.show_drawing(svg)
 
     def _on_design_changed(self, _design: object) -> None:
+        self._mark()
         self.show_chosen()
 
     def _on_finished(self) -> None:
         self._session.design_changed.disconnect(self._on_design_changed)
         self._setter.close()
         self.deleteLater()
+
+
+def used_by_text(key: str) -> str:
+    """The parameters that an equation uses, each with a link; those of the four flanks once. Empty without any."""
+    from gearstudio.equations import fields_of
+
+    specs = all_field_specs()
+    links: dict[str, str] = {}
+    for path in fields_of(key):
+        links.setdefault(tr(specs[path].title), f'<a href="{path}">{escape(tr(specs[path].title))}</a>')
+    return tr("Used by: {parameters}", parameters=" · ".join(links.values())) if links else ""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from ui.formatting import MEMBER_TITLES
 from ui.theme import Tokens
 from ui.words import noted, tr
 
@@ -14,7 +15,24 @@ PARTS = (noted("offset axes"), noted("micro-geometry"))
 """Parts of the theory without a number."""
 
 
-def drawing(equation: Equation, numbers: dict[str, Numbers], colors: Tokens, width_pt: float) -> bytes:
+_NOT_FOR = {
+    "no offset": noted("Does not hold for this pair, whose axes have an offset."),
+    "own depth": noted("Does not hold for this pair, which has an offset or a depth after ISO 23509."),
+    "standard depth": noted("Does not hold for this pair, which has no offset and depths from the module."),
+    "offset": noted("Does not hold for this pair, which has no offset."),
+}
+_FIT = """#let fit(line, lines) = layout(size => {
+  let wide = measure(line).width
+  let shown = if wide > size.width { lines } else { line }
+  let share = calc.min(1, size.width / measure(shown).width)
+  align(center, scale(share * 100%, reflow: true, box(shown)))
+})"""
+"""Sets a formula on one line, else on several, else smaller."""
+
+
+def drawing(
+    equation: Equation, numbers: dict[str, Numbers], colors: Tokens, width_pt: float, *, applies: bool = True
+) -> bytes:
     """An equation with its departure and its numbers as SVG, so many points wide.
 
     Parameters
@@ -24,36 +42,53 @@ def drawing(equation: Equation, numbers: dict[str, Numbers], colors: Tokens, wid
         Empty for an equation that stands without numbers.
     colors : Tokens
     width_pt : float
+    applies : bool
+        Whether the equation holds for the design; if not, that is said.
     """
     import typst
 
-    return bytes(typst.compile(_source(equation, numbers, colors, width_pt).encode(), format="svg"))
+    return bytes(typst.compile(_source(equation, numbers, colors, width_pt, applies).encode(), format="svg"))
 
 
-def _source(equation: Equation, numbers: dict[str, Numbers], colors: Tokens, width_pt: float) -> str:
+def _source(equation: Equation, numbers: dict[str, Numbers], colors: Tokens, width_pt: float, applies: bool) -> str:
     parts = [
         f"#set page(width: {width_pt:.0f}pt, height: auto, margin: 10pt, fill: none)",
         f'#set text(size: 11pt, fill: rgb("{colors.text}"), font: ("Libertinus Serif", "Noto Sans CJK SC", '
         '"Droid Sans Fallback"))',
+        _FIT,
         f'#text(size: 15pt, weight: "bold", {_quoted(tr(equation.title))})',
         f'#v(-4pt)\n#text(size: 9.5pt, fill: rgb("{colors.muted}"), {_quoted(_where(equation))})',
-        f"#text({_quoted(tr(equation.meaning))})",
-        f"#text(size: 13pt)[$ {equation.used} $]",
+        _prose(tr(equation.meaning)),
+        f"#text(size: 13pt)[{_fitted(equation.used)}]",
     ]
+    if not applies:
+        parts.append(f'#text(fill: rgb("{colors.muted}"), {_quoted(tr(_NOT_FOR[equation.holds]))})')
     if equation.printed:
         said = f"{tr(equation.departure)} {tr(equation.evidence)}"
         parts.append(
             f'#block(inset: 9pt, radius: 5pt, width: 100%, fill: rgb("{colors.warning_soft}"))[\n'
-            f"#strong({_quoted(tr('The paper prints'))})\n$ {equation.printed} $\n#text({_quoted(said)})\n]"
+            f"#strong({_quoted(tr('The paper prints'))})\n{_fitted(equation.printed)}\n{_prose(said)}\n]"
         )
-    for member, put in numbers.items():
+    for title, put in _titled(numbers):
         parts.append(
             f'#block(inset: 9pt, radius: 5pt, width: 100%, fill: rgb("{colors.sunken}"))[\n'
-            f"#strong({_quoted(tr(member.capitalize()))})\n\n"
-            f"#par(justify: false)[${_values(put.inputs)}$]\n\n"
-            f'#par(justify: false)[#text(fill: rgb("{colors.accent}"))[${_values(put.outputs)}$]]\n]'
+            f"#strong({_quoted(tr(title))})\n\n"
+            f"#par(justify: false)[{_values(put.inputs)}]\n\n"
+            f'#par(justify: false)[#text(fill: rgb("{colors.accent}"))[{_values(put.outputs)}]]\n]'
         )
     return "\n\n".join(parts)
+
+
+def _fitted(formula: str) -> str:
+    lines = formula.replace(", quad ", ", \\ ")
+    return f"#fit([$ {formula} $], [$ {lines} $])"
+
+
+def _prose(text: str) -> str:
+    """Words with the symbols among them as mathematics."""
+    from gearstudio.report.mathematics import prose
+
+    return "".join(f"${part}$" if kind == "mathematics" else f"#text({_quoted(part)})" for kind, part in prose(text))
 
 
 def _where(equation: Equation) -> str:
@@ -62,8 +97,15 @@ def _where(equation: Equation) -> str:
     return tr("paper, equation {number}", number=equation.paper) + " · " + section if equation.paper else section
 
 
+def _titled(numbers: dict[str, Numbers]) -> list[tuple[str, Numbers]]:
+    """Numbers with their headings; what is the same for both members stands once."""
+    if len(numbers) == len(MEMBER_TITLES) and len(set(numbers.values())) == 1:
+        return [("Both members", next(iter(numbers.values())))]
+    return [(MEMBER_TITLES[member], put) for member, put in numbers.items()]
+
+
 def _values(given: tuple[Given, ...]) -> str:
-    return ", quad ".join(one.mathematics(8) for one in given)
+    return " ".join(f"#box[${one.mathematics(8)}$#h(1em)]" for one in given)
 
 
 def _quoted(text: str) -> str:
