@@ -59,7 +59,7 @@ class ChartsPage(QWidget):
         self.paper.setToolTip(tr("The deviations that the paper states of its own gear, for comparison"))
         self.paper.setChecked(True)
         self.scale = QComboBox()
-        for title, value in ((tr("Auto"), None), (tr("Log"), True), (tr("Linear"), False)):
+        for title, value in ((tr("Auto"), None), (tr("Log scale"), True), (tr("Linear"), False)):
             self.scale.addItem(title, value)
         self.scale.setToolTip(tr("Scale of the deviations: Auto is logarithmic where the curves differ by orders"))
         self.quantities, self.against = QComboBox(), QComboBox()
@@ -105,6 +105,14 @@ class ChartsPage(QWidget):
     def close_page(self) -> None:
         """Ask for nothing more."""
         self.convergence.stop()
+
+    def keep_state(self) -> object:
+        """What was computed for it, for `take_state`."""
+        return self.convergence.keep_state()
+
+    def take_state(self, state: object) -> None:
+        """Have what was computed in another window."""
+        self.convergence.take_state(state)
 
     def show_kind(self, kind: str) -> None:
         """Another chart, with its own choices."""
