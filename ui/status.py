@@ -40,9 +40,9 @@ class Status(QStatusBar):
         super().__init__(parent)
         self.setSizeGripEnabled(False)
         self.setContentsMargins(8, 0, 8, 0)
-        self._point = QLabel()
-        self._point.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
-        self._point.setToolTip(tr("The point of the flank under the pointer"))
+        self.point = QLabel()
+        self.point.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        self.point.setToolTip(tr("The point of the flank under the pointer"))
         self._stage = QLabel()
         self._stage.setProperty("role", "muted")
         self._bar = QProgressBar()
@@ -56,7 +56,7 @@ class Status(QStatusBar):
         self._dot = Dot()
         self._worker = QLabel()
         self._worker.setToolTip(tr("The process that builds flanks and solids"))
-        self.addWidget(self._point, 1)
+        self.addWidget(self.point, 1)
         self._work = _row(self._stage, self._bar, self._cancel)
         self.addPermanentWidget(self._work)
         self.addPermanentWidget(_row(self._dot, self._worker))
@@ -79,7 +79,7 @@ class Status(QStatusBar):
 
     def show_hover(self, hover: Hover | None) -> None:
         """The read-out of the point under the pointer."""
-        self._point.setText("" if hover is None else hover_text(hover))
+        self.point.setText("" if hover is None else hover_text(hover))
 
     def show_units(self) -> None:
         """The read-out waits for the next point."""

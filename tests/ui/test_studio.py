@@ -129,8 +129,8 @@ def test_pointing_at_a_flank_reads_it_out(studio: Studio, qtbot) -> None:
         QMouseEvent.Type.MouseMove, place, grid.viewport.mapToGlobal(place), none, none, Qt.KeyboardModifier.NoModifier
     )
     QApplication.sendEvent(grid.viewport, event)
-    qtbot.waitUntil(lambda: "deviation" in studio.window.status._point.text(), timeout=3000)
-    text = studio.window.status._point.text()
+    qtbot.waitUntil(lambda: "deviation" in studio.window.status.point.text(), timeout=3000)
+    text = studio.window.status.point.text()
     assert text.startswith("concave") and "ρ" in text and "δ" in text and "x " in text
 
 
