@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -25,8 +25,8 @@ class Picked:
     member : str
     point, local : ndarray, shape (3,)
         [mm].
-    normal : ndarray, shape (3,)
-        Out of the metal, in the gear's own frame; of a cut face, that of the plane.
+    normal : ndarray, shape (3,), optional
+        Out of the metal, in the gear's own frame; of a cut face, that of the plane; None where faces meet.
     hit : Hit, optional
         The triangle, in the frame that the layers were made in; None on a cut face.
     """
@@ -34,7 +34,7 @@ class Picked:
     member: str
     point: Floats
     local: Floats
-    normal: Floats
+    normal: Floats | None
     hit: Hit | None = None
 
 
@@ -68,14 +68,15 @@ def measure(one: Picked, other: Picked) -> Measure:
     radii = [float(np.hypot(*p.local[:2])) for p in (one, other)]
     azimuths = [float(np.arctan2(p.local[1], p.local[0])) for p in (one, other)]
     turn = float(np.angle(np.exp(1j * (azimuths[1] - azimuths[0]))))
-    between = float(np.arccos(np.clip(one.normal @ other.normal, -1.0, 1.0)))
-    axial = float(other.local[2] - one.local[2])
-    return Measure(distance, (x, y, z), radii[1] - radii[0], axial, np.degrees(turn), np.degrees(between))
+    axial, between = float(other.local[2] - one.local[2]), None
+    if one.normal is not None and other.normal is not None:
+        between = float(np.degrees(np.arccos(np.clip(one.normal @ other.normal, -1.0, 1.0))))
+    return Measure(distance, (x, y, z), radii[1] - radii[0], axial, float(np.degrees(turn)), between)
 
 
 def pick(
     layers: Sequence[Layer],
-    frames: dict[str, Frame],
+    frames: Mapping[str, Frame],
     ray: tuple[Floats, Floats],
     plane: Plane | None = None,
 ) -> Picked | None:
@@ -85,7 +86,7 @@ def pick(
     ----------
     layers : sequence of Layer
         Surfaces of bodies, as placed before anything turned.
-    frames : dict
+    frames : mapping
         By body.
     ray : (start, direction)
         In the frame of the view.

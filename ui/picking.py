@@ -15,7 +15,22 @@ Floats = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Hover:
-    """A point of a flank under the pointer, in what a person reads: mm, degrees, µm; ``value`` is what colours it."""
+    """A point under the pointer, in what a person reads: mm, degrees, µm.
+
+    Attributes
+    ----------
+    panel_key, flank : str
+        The view, and the flank or, of a solid, its face in words.
+    xyz, rho, delta_deg
+        In the gear's own frame.
+    deviation_um : float or None
+    value : float or None
+        What colours it.
+    member, face : str
+        Of a solid: whose, and the face as the core names it.
+    tooth : int or None
+        From 1; None for a face of none.
+    """
 
     panel_key: str
     flank: str
@@ -24,6 +39,15 @@ class Hover:
     delta_deg: float
     deviation_um: float | None
     value: float | None = None
+    member: str = ""
+    face: str = ""
+    tooth: int | None = None
+
+    @property
+    def side(self) -> str:
+        """``concave`` or ``convex`` on a flank, else empty."""
+        name = self.face.removesuffix(" flank") if self.member else self.flank
+        return name if name in ("concave", "convex") else ""
 
 
 @dataclass(frozen=True, eq=False)

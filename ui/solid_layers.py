@@ -79,7 +79,8 @@ def put(gear: PlacedGear, place: Place) -> PlacedGear:
 
 def _moved(mesh: GearMesh, place: Place) -> GearMesh:
     flanks, teeth, body = (placed(part, place) for part in (mesh.flanks, mesh.teeth, mesh.body))
-    return replace(mesh, flanks=flanks, teeth=teeth, body=body, edges=place.of(mesh.edges))
+    edges, corners, midpoints = (place.of(points) for points in (mesh.edges, mesh.corners, mesh.midpoints))
+    return GearMesh(flanks, teeth, body, mesh.deviation_um, edges, mesh.segments, corners, midpoints)
 
 
 def gear_layers(gear: PlacedGear, options: SolidOptions) -> tuple[Layer, ...]:

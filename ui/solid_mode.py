@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from ui.runner import JobRunner
     from ui.solid_measure import SolidMeasure
     from ui.solid_pointer import SolidPointer
-    from ui.solid_stage import SolidStage
+    from ui.solid_stage import Motion, SolidStage
     from ui.solid_view import SolidView
     from ui.solid_workshop import Order
 
@@ -60,7 +60,7 @@ class SolidMode(QObject):
         self._flank_view: tuple[Camera, str] | None = None
         self._to_look: tuple[Camera, str] | None = None
         self._to_fit = False
-        self._motion: Literal["", "turning", "sliding"] = ""
+        self._motion: Motion = ""
         self._fitted: Camera | None = None
         self._leaving = QTimer(self, singleShot=True, interval=0)
         self._leaving.timeout.connect(self._show_flanks)
@@ -102,11 +102,11 @@ class SolidMode(QObject):
         self.view = SolidView(area.grid)
         self._stage = SolidStage(self.view, lambda: titles(self.solids, self.keys), self)
         self._stage.changed.connect(self._on_shown)
-        self._stage.failed.connect(
-            lambda text, details: self._window.messages.show_message("error", text, details, topic="solid")
-        )
+        say = self._window.messages.show_message
+        self._stage.failed.connect(lambda text, details: say("error", text, details, topic="solid"))
         self.measuring = SolidMeasure(self.view, self._panel.show_measure, self)
         self._panel.units_shown.connect(self.measuring.show_units)
+        self._panel.snapping.toggled.connect(self.measuring.set_snapping)
         self.pointer = SolidPointer(self.view, self._on_pointed, self)
         area.mesh_bar.turned.connect(self._on_turned)
         area.grid.viewport.drawing.connect(self._on_drawing)
@@ -142,6 +142,7 @@ class SolidMode(QObject):
         before, self.mode = self.mode, mode
         if before == "flanks" and self.view is not None:
             self._flank_view = self.view.grid.keep_view()
+            self.view.grid.pointing.drop_pin()
         self._to_fit = True
         self._presenter.active = mode == "flanks"
         self._show_mode()
@@ -181,7 +182,7 @@ class SolidMode(QObject):
         window.show_solid_mode(solid)
         window.commands.show_mode(self.mode)
         if self.measuring is not None:
-            self.measuring.switch(solid and self._panel.measuring)
+            self._on_measure(self._panel.measuring)
         area = window.area
         if area.roll_slider is not None and area.mesh_bar is not None:
             area.roll_slider.pause()
@@ -224,8 +225,7 @@ class SolidMode(QObject):
                 self.measuring.clear()
         if self.pointer is not None:
             self.pointer.show_solids({key.member: built for key, built in order.built.items()})
-        extent = self.view.extent(self._panel.axis)
-        if extent is not None:
+        if (extent := self.view.extent(self._panel.axis)) is not None:
             self._panel.set_section_range(*extent)
         self._show_colors()
         if self._to_fit:
@@ -279,9 +279,8 @@ class SolidMode(QObject):
             self._window.area.color_bar.set_marker(None if hover is None else hover.deviation_um)
 
     def _on_drawing(self, _hurried: bool) -> None:
-        bar, view = self._window.area.mesh_bar, self.view
-        if bar is not None and view is not None:
-            bar.frame_ms = view.grid.viewport.frame_ms
+        if self._window.area.mesh_bar is not None and self.view is not None:
+            self._window.area.mesh_bar.frame_ms = self.view.grid.viewport.frame_ms
 
     def _on_section(self) -> None:
         if self.view is not None and self.mode != "flanks":
@@ -296,5 +295,6 @@ class SolidMode(QObject):
             self._panel.set_section_side(1 if self.view.grid.viewport.look.back[self._panel.axis] >= 0 else -1)
 
     def _on_measure(self, on: bool) -> None:
-        if self.measuring is not None:
+        if self.measuring is not None and self.pointer is not None:
             self.measuring.switch(on and self.mode != "flanks")
+            self.pointer.pins = not on

@@ -223,6 +223,11 @@ class SolidPanel(QWidget):
         self._measure = QCheckBox(tr("Measure"))
         self._measure.setToolTip(tr("Click two points: their distance and what lies between"))
         self._measure.toggled.connect(self._on_measure)
+        self.snapping = QCheckBox(tr("Snap to corners and middles of edges"), checked=True)  # type: ignore[call-arg]
+        self.snapping.setToolTip(
+            tr("A square marks a corner or the middle of an edge near by; a click takes that point")
+        )
+        self.snapping.hide()
         self._reading = QLabel()
         self._reading.setWordWrap(True)
         self._reading.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
@@ -230,6 +235,7 @@ class SolidPanel(QWidget):
         made = QVBoxLayout()
         made.setSpacing(4)
         made.addWidget(self._measure)
+        made.addWidget(self.snapping)
         made.addWidget(self._reading)
         return made
 
@@ -268,6 +274,7 @@ class SolidPanel(QWidget):
 
     def _on_measure(self, on: bool) -> None:
         self.show_measure("")
+        self.snapping.setVisible(on)
         self.measure_switched.emit(on)
 
 

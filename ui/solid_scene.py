@@ -28,6 +28,7 @@ Indices = NDArray[np.int64]
 FINE, COARSE = 1.5e-4, 1.2e-3
 """Chordal tolerances, of the radius of the gear."""
 _MOST = 24
+_SAME_PLACE = 1e-7
 _CREASE = np.cos(np.radians(9.0))
 
 
@@ -43,6 +44,8 @@ class GearMesh:
         Signed normal deviation from theory [µm].
     edges : ndarray, shape (n, 3)
     segments : ndarray, shape (m, 2)
+    corners, midpoints : ndarray, shape (k, 3)
+        Where edges of the teeth end, and their middles.
     """
 
     flanks: Mesh
@@ -51,6 +54,8 @@ class GearMesh:
     deviation_um: Floats
     edges: Floats
     segments: Indices
+    corners: Floats
+    midpoints: Floats
 
     @property
     def volume(self) -> float:
@@ -88,11 +93,13 @@ def gear_mesh(result: SolidResult, member: MemberGeometry, fineness: float = FIN
     flanks = joined([mesh for mesh, flank in zip(meshes, is_flank, strict=True) if flank])
     others = joined([mesh for mesh, flank in zip(meshes, is_flank, strict=True) if not flank])
     body, rings, arcs = _body(result, patches, chamfers, azimuths, tolerance)
-    edges, segments = _edges(patches, azimuths, rings, arcs)
+    paths = [*_sharp_edges(patches, azimuths), *arcs]
+    edges, segments = _edges(paths, azimuths, rings)
     theory = profile_of(member)
     off = [_deviation(theory, f, p.points) for f, p, x in zip(result.faces, patches, is_flank, strict=True) if x]
     deviation = np.tile(np.concatenate(off) if off else np.empty(0), result.teeth)
-    return GearMesh(copies(flanks, azimuths), copies(others, azimuths), body, deviation, edges, segments)
+    marks = _corners(paths, azimuths), turned(np.array([_middle(path) for path in paths]), azimuths).reshape(-1, 3)
+    return GearMesh(copies(flanks, azimuths), copies(others, azimuths), body, deviation, edges, segments, *marks)
 
 
 def _deviation(theory: Profile, face: FaceResult, points: Floats) -> Floats:
@@ -206,8 +213,8 @@ def _row_cells(n: int) -> Indices:
 # ---- edges ------------------------------------------------------------------------------------------------
 
 
-def _edges(patches: list[Patch], azimuths: Floats, rings: list[Floats], arcs: list[Floats]) -> tuple[Floats, Indices]:
-    """Where two faces meet at an angle: along the teeth, round their ends and round the body."""
+def _sharp_edges(patches: list[Patch], azimuths: Floats) -> list[Floats]:
+    """Where two faces of a pitch meet at an angle: along the teeth and round their ends."""
     paths = []
     for before, patch in zip([patches[-1], *patches[:-1]], patches, strict=True):
         there = before.normals[-1]
@@ -215,9 +222,11 @@ def _edges(patches: list[Patch], azimuths: Floats, rings: list[Floats], arcs: li
             there = turned(there, -azimuths[1:2])[0]
         if np.any(np.einsum("ij,ij->i", there, patch.normals[0]) < _CREASE):
             paths.append(patch.points[0])
-    for end in (0, -1):
-        paths += [patch.points[:, end] for patch in patches]
-    paths += arcs
+    return [*paths, *(patch.points[:, end] for end in (0, -1) for patch in patches)]
+
+
+def _edges(paths: list[Floats], azimuths: Floats, rings: list[Floats]) -> tuple[Floats, Indices]:
+    """The edges of a pitch for every tooth, and those round the body, as points and segments."""
     pitch = np.concatenate(paths)
     one = path_segments(tuple(len(path) for path in paths))
     points = turned(pitch, azimuths).reshape(-1, 3)
@@ -228,3 +237,17 @@ def _edges(patches: list[Patch], azimuths: Floats, rings: list[Floats], arcs: li
         segments.append(start + np.stack([i, (i + 1) % len(ring)], axis=-1))
         start += len(ring)
     return np.concatenate([points, *rings]), np.concatenate(segments)
+
+
+def _corners(paths: list[Floats], azimuths: Floats) -> Floats:
+    """Both ends of every path, each place once, for every tooth."""
+    ends = np.concatenate([path[[0, -1]] for path in paths])
+    size = float(np.abs(ends).max())
+    _, first = np.unique(np.round(ends / (_SAME_PLACE * size)), axis=0, return_index=True)
+    return turned(ends[np.sort(first)], azimuths).reshape(-1, 3)
+
+
+def _middle(path: Floats) -> Floats:
+    """Half way along a path."""
+    along = np.cumsum([0.0, *np.linalg.norm(np.diff(path, axis=0), axis=1)])
+    return np.array([np.interp(along[-1] / 2, along, column) for column in path.T])

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from ui.formatting import MEMBER_TITLES, METHOD_TITLES, VARIANT_TITLES, micrometres, seconds
+from ui.formatting import MEMBER_TITLES, METHOD_TITLES, VARIANT_TITLES, fixed, micrometres, seconds
 from ui.units import with_unit
 from ui.words import inline, told, tr
 
@@ -50,6 +50,15 @@ def titles(solids: Solids, keys: Sequence[Key]) -> tuple[str, str]:
         largest=micrometres(max(b.largest_um for b in built)),
         took=took,
     )
+
+
+def spot_words(member: str, face: str, tooth: int | None, azimuth_deg: float) -> str:
+    """Where a point of a solid is."""
+    name = tr(MEMBER_TITLES[member])
+    words = f"{name}, {tr(face)}" if face else name
+    if tooth is not None:
+        words = tr("{member}, {face}, tooth {number}", member=name, face=tr(face), number=tooth)
+    return f"{words}    φ {fixed(azimuth_deg, 3)}°"
 
 
 def measured(found: Measure) -> str:

@@ -272,10 +272,8 @@ class ViewGrid(QWidget):
 
     def place_markers(self) -> None:
         """Put the markers where their points are seen now."""
-        hover, pin = self.pointing.hover, self.pointing.pin
-        self.overlays.point(
-            self.viewport, len(self._panels), None if hover is None else hover.xyz, None if pin is None else pin.xyz
-        )
+        hover, pin = self.pointing.hover, None if self.pointing.pin is None else self.pointing.pin_place
+        self.overlays.point(self.viewport, len(self._panels), None if hover is None else hover.xyz, pin)
 
     def place_overlays(self) -> None:
         """Put titles, values and bars where they belong."""

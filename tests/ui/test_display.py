@@ -166,7 +166,7 @@ class TestPicking:
         QTest.mouseClick(grid.viewport, Qt.MouseButton.LeftButton, pos=flank_place(grid, 1).toPoint())
         qtbot.waitUntil(card.isVisible, timeout=5000)
         assert grid.pointing.pin.deviation_um == pytest.approx(-30.0)
-        assert len(card.rows()) == 2 + len(AMOUNTS) and "ρ" in card.where()
+        assert len(card.rows()) == 2 + len(AMOUNTS) and "ρ" in card.coordinates()[1]
         assert all(pin.isVisible() for pin in grid.overlays.pins)
         escape = QKeyEvent(QEvent.Type.KeyPress, Qt.Key.Key_Escape, Qt.KeyboardModifier.NoModifier)
         QApplication.sendEvent(grid.viewport, escape)

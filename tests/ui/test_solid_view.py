@@ -159,6 +159,7 @@ def test_two_clicks_measure_also_a_gear_that_has_turned(qtbot, view, built) -> N
     owner = QObject()
     measuring = SolidMeasure(view, said.append, owner)
     measuring.switch(True)
+    measuring.set_snapping(False)
     viewport = view.grid.viewport
     for place in ((0.62, 0.78), (0.55, 0.76)):
         viewport.clicked.emit(QPointF(viewport.width() * place[0], viewport.height() * place[1]))
@@ -175,3 +176,47 @@ def test_two_clicks_measure_also_a_gear_that_has_turned(qtbot, view, built) -> N
     assert len(measuring.points) == 2
     measuring.switch(False)
     assert not measuring.points and not measuring._overlay.isVisible()
+
+
+def test_a_measurement_snaps_to_corners_in_sight_and_never_to_hidden_ones(qtbot, view, built) -> None:
+    from ui.solid_measure import SNAP_PIXELS, SolidMeasure
+
+    show(view, built)
+    view.grid.set_view("pair")
+    view.turn(0.3)
+    picture(qtbot, view)
+    owner, said = QObject(), []
+    measuring = SolidMeasure(view, said.append, owner)
+    measuring.switch(True)
+    viewport = view.grid.viewport
+
+    def place_of(point) -> QPointF:
+        return viewport.place_of(0, *(float(x) for x in viewport.look.project(point)))
+
+    gear = next(gear for gear in view.gears if gear.member == "wheel")
+    frame, seen, hidden = view.frames["wheel"], [], 0
+    for corner in frame.turn.of(gear.fine.corners):
+        place = place_of(corner)
+        found = measuring._snapped(place + QPointF(2, -1))
+        if found is None:
+            hidden += 1
+        elif np.linalg.norm(found[0].point - corner) < 1e-9:
+            seen.append((corner, place))
+        assert found is None or (place_of(found[0].point) - place).manhattanLength() < 2 * SNAP_PIXELS
+    assert len(seen) > 20 and hidden > 20
+    size = float(np.abs(gear.fine.corners).max())
+    for corner, place in seen:
+        hit = measuring._picked(place)
+        eye = viewport.look.eye
+        assert hit is None or np.linalg.norm(hit.point - eye) > np.linalg.norm(corner - eye) - 0.01 * size
+    corner, place = seen[0]
+    viewport.pointer_moved.emit(place + QPointF(0.4, 0.3))
+    qtbot.waitUntil(lambda: measuring.hint is not None, timeout=3000)
+    assert measuring.hint[1] == "corner" and measuring._overlay.isVisible()
+    viewport.clicked.emit(place + QPointF(0.4, 0.3))
+    assert np.allclose(measuring.points[0].point, corner)
+    viewport.clicked.emit(seen[-1][1] + QPointF(1, 1))
+    assert "Between normals" not in said[-1] and "Azimuth" in said[-1]
+    measuring.set_snapping(False)
+    viewport.clicked.emit(place + QPointF(0.4, 0.3))
+    assert not np.allclose(measuring.points[0].point, corner, atol=1e-6)

@@ -37,7 +37,7 @@ class Display(QObject):
         self._grid: ViewGrid | None = None
         self._remember = QTimer(self, singleShot=True, interval=_REMEMBER_MS)
         self._remember.timeout.connect(self._save)
-        self.picks = Picks(session, window, self)
+        self.picks = Picks(session, window, solid_mode, self)
         self._action = window.commands["display"]
         self._action.setCheckable(True)
         self._action.setEnabled(False)

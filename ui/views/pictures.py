@@ -52,7 +52,7 @@ def stand_in(grid: ViewGrid, size: QSize) -> ViewGrid:
     made.set_color_range(high, low)
     made.store.stand_like(grid.store)
     made.viewport.looks = list(grid.viewport.looks)
-    made.pointing.pin = grid.pointing.pin
+    made.pointing.pin, made.pointing.pin_place = grid.pointing.pin, grid.pointing.pin_place
     made.follow_cameras()
     return made
 

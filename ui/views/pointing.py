@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+import numpy as np
+from numpy.typing import ArrayLike
 from PySide6.QtCore import QEvent, QObject, QPointF, Qt, QTimer, Signal
 from PySide6.QtGui import QKeyEvent
 
@@ -32,6 +34,7 @@ class Pointing(QObject):
     hovered = Signal(object)
     picked = Signal(object)
     pin: Hover | None = None
+    pin_place = (0.0, 0.0, 0.0)
 
     def __init__(self, grid: ViewGrid) -> None:
         super().__init__(grid)
@@ -80,6 +83,18 @@ class Pointing(QObject):
             self.pin = None
             self._grid.place_markers()
             self.picked.emit(None)
+
+    def put_pin(self, pin: Hover, place: ArrayLike | None = None) -> None:
+        """Put the marker at a point, or where in the view that is if its gear stands elsewhere."""
+        self.pin, self.pin_place = pin, _xyz(pin.xyz if place is None else place)
+        self._grid.place_markers()
+        self.picked.emit(pin)
+
+    def carry_pin(self, place: ArrayLike) -> None:
+        """The gear with the pinned point has moved."""
+        if self.pin is not None and _xyz(place) != self.pin_place:
+            self.pin_place = _xyz(place)
+            self._grid.place_markers()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """Escape takes the marker away before it means anything else."""
@@ -139,6 +154,9 @@ class Pointing(QObject):
         pane, x, y = grid.viewport.pane_at(position)
         hit = self._hit(pane, x, y) if pane < len(grid.panels) else None
         if hit is not None:
-            self.pin = describe(hit, grid.panels[pane].key)
-            grid.place_markers()
-            self.picked.emit(self.pin)
+            self.put_pin(describe(hit, grid.panels[pane].key))
+
+
+def _xyz(point: ArrayLike) -> tuple[float, float, float]:
+    x, y, z = (float(value) for value in np.asarray(point))
+    return x, y, z
