@@ -26,8 +26,8 @@ _QUIET_WINDOW = {
 }
 """Modules of the window whose tables are not for people, or for the command line."""
 _QUIET_CORE = ("cli", "equations", "presets", "catalogue", "formats", "design/model", "design/modifications",
-               "design/choices", "exchange/stl", "exchange/threemf", "exchange/points", "analysis/datasheet", "analysis/selfcheck",
-               "wire", "worker")  # fmt: skip
+               "design/choices", "exchange/stl", "exchange/threemf", "exchange/points", "analysis/datasheet",
+               "analysis/selfcheck", "wire", "worker")  # fmt: skip
 """Modules of the core whose texts are tables (collected as such), files or output of the command line."""
 _TITLE = re.compile(r"^[✓✗]? ?&?[A-Z][a-z&]|[A-Za-z]{2,} [A-Za-z(“]")
 _NO_TITLE = re.compile(r"^(Ctrl|Shift|Alt)\+|;;.*\*|^[\w.]*_[\w.]*$|Keys\.|::|^#|^[A-Z][a-z]+[A-Z]\w+$|^\w+ \{")
@@ -35,7 +35,7 @@ _SENTENCE = re.compile(r"[a-z]{2,}[,;:]? +\{?[a-z(]|^[a-z]+ \{0\}")
 _NO_SENTENCE = re.compile(r"^\S+ = |[\\<>\n]|^%|\d+ of theory \[|=\s*\{0\}$|^[^a-z]*$")
 _NAME = re.compile(r"\{[a-z_]+\}")
 _FUNCTION = re.compile(r"arc(cos|sin|tan)|half|z_mate|γ_mate|_tip")
-_IN_WORDS = re.compile(r"(?<!\w)[a-z]{4,}(?!\w)")
+_IN_WORDS = re.compile(r"(?<!\w)(?:at|or|[a-z]{4,})(?!\w)")
 """A formula that is said in words, at least in part."""
 _MORE_SENTENCES = {
     "{0}: {1} failed: {2}", "{0} to {1}", "{0} teeth", "building", "checking", "weighing", "reading", "convergence",

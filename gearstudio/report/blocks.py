@@ -61,7 +61,7 @@ class Picture:
 
 @dataclass(frozen=True)
 class Formula:
-    """An equation with its numbers."""
+    """An equation with its numbers: of each member what went in and came out, symbol and value each."""
 
     title: str
     number: str
@@ -69,7 +69,7 @@ class Formula:
     printed: str
     meaning: Prose
     departure: Prose
-    numbers: tuple[tuple[str, str], ...]
+    numbers: tuple[tuple[str, tuple[str, ...]], ...]
     kind: str = "formula"
 
 

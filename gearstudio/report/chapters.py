@@ -15,7 +15,7 @@ from gearstudio.report.mathematics import pointed, prose
 from gearstudio.report.sections import SECTIONS
 from gearstudio.report.store import Store
 
-_FRESH = {"design", "sheet", "comparison", "deviation", "contact", "equations"}
+_FRESH = {"design", "sheet"}
 _TINY_MM = 1e-9
 
 
@@ -106,8 +106,8 @@ def _formula(one: Equation, content: Content) -> Formula:
     for member in MEMBERS:
         put = numbers_of(one, content.pair, member)
         if put is not None:
-            line = ", quad ".join(given.mathematics(6) for given in (*put.inputs, *put.outputs))
-            numbers.append((tr(MEMBERS_SAID[member]), pointed(line)))
+            line = tuple(pointed(given.mathematics(6)) for given in (*put.inputs, *put.outputs))
+            numbers.append((tr(MEMBERS_SAID[member]), line))
     departure = " ".join(tr(part) for part in (one.departure, one.evidence) if part)
     return Formula(
         tr(one.title), _where(one), pointed(one.used), pointed(one.printed), prose(notation(tr(one.meaning))),

@@ -18,7 +18,7 @@ _LEAST_UM = 1e-3
 
 def patterns(content: Content, contact: ContactResult) -> bytes:
     """Contact pattern on both members, drive and coast: where the gap stays within the marking thickness."""
-    with figure(Frame(3.2, 2, 2, "each", own_x=True, own_y=True)) as (drawn, axes):
+    with figure(Frame(2.8, 2, 2, "each", own_x=True, own_y=True)) as (drawn, axes):
         for row, side in zip(axes, (contact.drive, contact.coast), strict=True):
             for ax, pattern in zip(row, (side.pinion, side.wheel), strict=True):
                 words = (inline(MEMBERS_SAID[pattern.member]), tr(pattern.flank))

@@ -10,7 +10,7 @@ from gearstudio.design.choices import choice_title
 from gearstudio.report.blocks import Block, Heading, Table, Text, rows
 from gearstudio.report.content import Content
 from gearstudio.report.language import MEMBERS_SAID, notation, number, tr
-from gearstudio.report.mathematics import mathematics
+from gearstudio.report.mathematics import breakable, mathematics
 from gearstudio.theory.flank import FLANKS
 from gearstudio.words import noted
 
@@ -49,7 +49,7 @@ def sheet_blocks(content: Content) -> list[Block]:
             made.append((tr(group),))
         values = (notation(line[0].text), notation(line[-1].text))
         where = _where(first.equation) if first.formula != "given" else ""
-        formula = mathematics(tr(first.formula))
+        formula = breakable(mathematics(tr(first.formula)))
         made.append((tr(first.name), mathematics(first.symbol), *values, tr(first.unit), formula, where))
     head = (tr("Quantity"), tr("Symbol"), tr("Pinion"), tr("Wheel"), tr("Unit"), tr("Formula"), tr("Source"))
     note = tr(

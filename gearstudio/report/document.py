@@ -91,7 +91,7 @@ def _composed(design: Design, order: Order, pictures: Callable[[], Taken], repor
         if key == "pictures":
             report("waiting for pictures", 0.6 + 0.3 * index / len(wanted))
             store.taken = pictures()
-        report(f"drawing: {_TITLES[key]}", 0.6 + 0.3 * index / len(wanted))
+        report(f"drawing {_TITLES[key]}", 0.6 + 0.3 * index / len(wanted))
         made[key] = chapter(key, content, store)
     cover = store.picture("pair", "", _COVER_WIDTH)
     chapters = tuple(made[key] for key in wanted)

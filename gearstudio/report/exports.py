@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from dataclasses import dataclass
+from datetime import datetime
 from pathlib import Path
 
 from gearstudio.checks import FaceCheck
@@ -13,10 +14,13 @@ from gearstudio.exchange.record import SUFFIX, ExportRecord, checksum, read_reco
 from gearstudio.exchange.verify import different_fields
 from gearstudio.files import read_bytes
 from gearstudio.report.blocks import Block, Table, Text, rows
-from gearstudio.report.language import number, told, tr
+from gearstudio.report.language import MEMBERS_SAID, moment, number, told, tr
+from gearstudio.words import noted
 
 _MOST = 60
 _MOST_FIELDS = 4
+_LEAST_UM = 1e-4
+_PARTS = {"gear": noted("whole gear"), "tooth": noted("one tooth"), "flanks": noted("both flanks")}
 
 
 @dataclass(frozen=True)
@@ -59,7 +63,7 @@ def chapter_blocks(found: tuple[Exported, ...], folder: Path | None) -> list[Blo
     for one in found:
         made.append((f"{one.name}: {one.what}",))
         made += [
-            (f"{tr(face.member)}, {told(face.title)}", number(face.largest_um, ".4g"), number(face.limit_um, ".3g"),
+            (f"{tr(MEMBERS_SAID[face.member])}, {_face(face)}", _small(face.largest_um), number(face.limit_um, ".3g"),
              tr("within") if face.good else tr("OUT OF LIMITS"))
             for face in one.faces
         ]  # fmt: skip
@@ -80,7 +84,8 @@ def _exported(path: Path, design: Design) -> Exported:
         words = _words(check)
         made = tr(
             "{moment} by {program}, {kernel}",
-            moment=str(data["written"])[:16].replace("T", " "), program=data["program"], kernel=check["kernel"],
+            moment=moment(datetime.fromisoformat(data["written"])).strip(),
+            program=data["program"], kernel=check["kernel"],
         )  # fmt: skip
     except FileError as error:
         return Exported(path.name, "", "", "", (), (told(error.reason),))
@@ -102,7 +107,17 @@ def worst(faces: tuple[FaceCheck, ...]) -> tuple[FaceCheck, ...]:
 
 def _what(record: ExportRecord) -> str:
     subject = record.subject
-    return ", ".join(tr(word) for word in (subject.member, subject.part, subject.method, subject.variant))
+    part = tr(_PARTS.get(subject.part, subject.part))
+    return ", ".join((tr(subject.member), part, tr(subject.method), tr(subject.variant)))
+
+
+def _face(face: FaceCheck) -> str:
+    name = told(face.name)
+    return tr("{face}, tooth {number}", face=name, number=face.tooth) if face.tooth else name
+
+
+def _small(value_um: float) -> str:
+    return number(value_um, ".4g") if value_um >= _LEAST_UM else f"< {number(_LEAST_UM, 'g')}"
 
 
 def _words(check: dict[str, object]) -> str:

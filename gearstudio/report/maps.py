@@ -11,7 +11,7 @@ from gearstudio.analysis.curvature import CurvatureMap, surface_curvature, theor
 from gearstudio.analysis.deviation import deviation_map
 from gearstudio.catalogue import METHOD_INFOS, VARIANTS
 from gearstudio.report.content import Content
-from gearstudio.report.language import FLANKS_SAID, VARIANTS_SAID, inline, number, tr
+from gearstudio.report.language import VARIANTS_SAID, number, tr
 from gearstudio.report.style import DIVERGING, SEQUENTIAL, SIDES, Frame, figure, length_unit, rounded_up, scale, svg
 from gearstudio.results import FlankResult
 from gearstudio.theory.flank import FLANKS, FlankName
@@ -23,6 +23,7 @@ Floats = NDArray[np.float64]
 _CURVATURE_GRID = (25, 33)
 _FROM_BASE = 0.03
 _MEASURING_GRID = (5, 9)
+_FEW = 2
 _LEAST_BAR = 0.15
 _LEAST_UM = 1e-6
 _LEAST_CURVATURE = 1e-9
@@ -39,7 +40,7 @@ def flat(content: Content, points: Floats) -> tuple[Floats, Floats]:
 
 def deviation_maps(content: Content, flank: FlankName) -> bytes:
     """All methods, one row for each variant, each with a scale of its own: signed deviation."""
-    with figure(Frame(3.9, len(VARIANTS), len(METHOD_INFOS), "each")) as (drawn, axes):
+    with figure(Frame(3.2, len(VARIANTS), len(METHOD_INFOS), "each")) as (drawn, axes):
         for row, variant in zip(axes, VARIANTS, strict=True):
             for ax, method in zip(row, METHOD_INFOS, strict=True):
                 ax.set_title(f"{tr(method.title)}, {tr(variant)}")
@@ -61,7 +62,7 @@ def deviation_maps(content: Content, flank: FlankName) -> bytes:
 def curvature_maps(content: Content) -> bytes:
     """Gaussian curvature of theory and of the optimised variants, a row for each flank with one scale."""
     titles = [_THEORY, *(method.title for method in METHOD_INFOS)]
-    with figure(Frame(3.1, len(FLANKS), len(titles), "row")) as (drawn, axes):
+    with figure(Frame(2.8, len(FLANKS), len(titles), "row")) as (drawn, axes):
         for row, name in zip(axes, FLANKS, strict=True):
             found = _curvatures(content, name)
             low, high = (float(np.quantile(found[_THEORY].gaussian, share)) for share in (0.02, 0.98))
@@ -72,7 +73,7 @@ def curvature_maps(content: Content) -> bytes:
             unit = f"$10^{{{power}}}$/mm²"
             limits = low / 10.0**power, high / 10.0**power
             for ax, title in zip(row, titles, strict=True):
-                ax.set_title(tr(title) if name == FLANKS[0] else "")
+                ax.set_title(f"{tr(title)}, {tr(name)}" if title == _THEORY else tr(title))
                 if title not in found:
                     absent(ax, tr("not built"))
                     continue
@@ -80,8 +81,6 @@ def curvature_maps(content: Content) -> bytes:
                 shown = colored(ax, *flat(content, one.points), one.gaussian / 10.0**power, limits, SEQUENTIAL)
             scale(drawn, row[-1], shown, unit, round_ticks(*limits))
         name_axes(axes)
-        for ax, name in zip(axes[:, 0], FLANKS, strict=True):
-            ax.set_ylabel(tr("{flank}: above pitch cone [mm]", flank=tr(name)))
         return svg(drawn)
 
 
@@ -99,7 +98,7 @@ def _curvatures(content: Content, name: FlankName) -> dict[str, CurvatureMap]:
 
 def topography(content: Content, method: str) -> bytes:
     """The measuring grid of both flanks drawn flat, a row for each variant, a bar as long as the deviation."""
-    with figure(Frame(3.3, len(VARIANTS), len(FLANKS))) as (drawn, axes):
+    with figure(Frame(2.7, len(VARIANTS), len(FLANKS))) as (drawn, axes):
         for row, variant in zip(axes, VARIANTS, strict=True):
             result = content.results.get((content.member, method, variant))
             if result is None:
@@ -112,7 +111,7 @@ def topography(content: Content, method: str) -> bytes:
             for ax, name in zip(row, FLANKS, strict=True):
                 points, error = measured[name]
                 bars(ax, *flat(content, points), error / (largest or 1.0), SIDES[name])
-                ax.set_title(f"{tr(VARIANTS_SAID[variant])}, {inline(FLANKS_SAID[name])}: {longest_bar(largest)}")
+                ax.set_title(f"{tr(VARIANTS_SAID[variant])}, {tr(name)}: {longest_bar(largest)}")
         name_axes(axes)
         return svg(drawn)
 
@@ -142,7 +141,7 @@ def longest_bar(value_um: float) -> str:
     if value_um < _LEAST_UM:
         return tr("no deviation here")
     unit, factor = length_unit(value_um)
-    return tr("the longest bar is {length} {unit}", length=number(value_um * factor, ".3g"), unit=unit)
+    return tr("longest bar {length} {unit}", length=number(value_um * factor, ".3g"), unit=unit)
 
 
 def colored(ax: Any, x: Floats, y: Floats, values: Floats, limits: tuple[float, float], colors: str) -> Any:
@@ -171,8 +170,15 @@ def absent(ax: Any, reason: str) -> None:
 
 
 def name_axes(axes: Any) -> None:
-    """What the axes of flanks drawn flat mean."""
-    for ax in axes[-1]:
-        ax.set_xlabel(tr("from toe to heel [mm]"))
-    for ax in axes[:, 0]:
-        ax.set_ylabel(tr("above pitch cone [mm]"))
+    """What the axes of flanks drawn flat mean: below each column while there are few, else once for all."""
+    along, above = tr("from toe to heel [mm]"), tr("above pitch cone [mm]")
+    first, last = axes[0, 0].get_position(), axes[-1, -1].get_position()
+    drawn = axes[0, 0].figure
+    if axes.shape[1] > _FEW:
+        drawn.text(
+            (first.x0 + last.x1) / 2, 0.02 / drawn.get_figheight(), along, ha="center", va="bottom", size="medium"
+        )
+    else:
+        for ax in axes[-1]:
+            ax.set_xlabel(along)
+    drawn.text(0.004, (first.y1 + last.y0) / 2, above, rotation=90, ha="left", va="center", size="medium")

@@ -12,13 +12,16 @@ _RAISED = {"²": "2", "³": "3", "*": "*"}
 _FUNCTIONS = {"sin", "cos", "tan", "cot", "arccos", "arcsin", "arctan", "min", "max"}
 _LONGEST_INDEX = 3
 _SHORT_WORDS = {"tip"}
+_APART = "\x1f"
+_WORD = r"[^\W\d_²³]{2,}(?:'s(?!\w))?"
 _PIECES = re.compile(
-    r"(?P<text>atan2|[^\W\d_²³]{2,}(?:-[^\W\d_]{2,})?(?:,? (?:[^\W\d_²³]{2,}|a)(?![\w′*]))*)|(?P<letter>[^\W\d_²³])"
-    r"|(?P<number>\d+(?:\.\d+)?)|(?P<other>.)",
+    rf"(?P<text>atan2|{_WORD}(?:-[^\W\d_]{{2,}})?(?:,? (?:{_WORD}|a)(?![\w′*]))*(?:[:;](?= ))?)"
+    r"|(?P<letter>[^\W\d_²³])|(?P<number>\d+(?:\.\d+)?)|(?P<other>.)",
     re.DOTALL,
 )
 _ALONE, _NOT_MORE = r"(?<![^\W\d_])", r"(?![^\W\d_])"
 _SYMBOLS = re.compile(rf"{_ALONE}[^\W\d_](?:_[^\W²³]+|[{''.join(_LOWERED)}]+)[²³′*]?|{_ALONE}[α-ωΑ-Ω][²³′]?{_NOT_MORE}")
+_QUOTED = re.compile(r'((?<!\\)"(?:[^"\\]|\\.)*")')
 _DECIMAL = re.compile(r"(?<![\w.])\d+\.\d+")
 _LETTER = re.compile(r"[A-Za-zα-ωΑ-Ωℓ]")
 _GREEK = re.compile(r"[α-ωΑ-Ω]+")
@@ -46,8 +49,18 @@ def mathematics(text: str) -> str:
 
 def pointed(text: str) -> str:
     """The typesetter's mathematics with the decimal sign of the report's language."""
-    parts = re.split(r'("[^"]*")', text)
-    return "".join(part if k % 2 else _DECIMAL.sub(_written, part) for k, part in enumerate(parts))
+    return "".join(part if k % 2 else _DECIMAL.sub(_written, part) for k, part in enumerate(_QUOTED.split(text)))
+
+
+def breakable(text: str) -> str:
+    """The typesetter's mathematics with its phrases, where they stand in no bracket, set apart by unit separators."""
+    made, depth = "", 0
+    for k, part in enumerate(_QUOTED.split(text)):
+        if k % 2 and " " in part and depth == 0:
+            made += f"{_APART} {part[1:-1]} {_APART}"
+        else:
+            made, depth = made + part, depth + (0 if k % 2 else part.count("(") - part.count(")"))
+    return re.sub(f"^{_APART} | {_APART}$", _APART, made)
 
 
 def _written(found: re.Match[str]) -> str:

@@ -30,7 +30,7 @@ def chapter_blocks(content: Content, store: Store) -> list[Block]:
     member = content.pair.member(result.member)
     blocks: list[Block] = [
         Text(_how(found)),
-        Table((tr("All points"), tr("Value"), tr("Unit")), rows(_whole(result, member.teeth)), "ldl"),
+        Table((tr("All points"), tr("Value"), tr("Unit")), rows(_whole(result, member.teeth)), "lrl"),
         Table((tr("Error"), *(tr(FLANKS_SAID[name]) for name in FLANKS), tr("Unit")), rows(_flanks(result)), "lddl"),
         store.add(
             "measured.svg", measured_charts.topography(member, result),
