@@ -8,18 +8,20 @@ import logging
 import sys
 from collections.abc import Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QCoreApplication, QObject, QSettings, Qt, Slot
+from PySide6.QtCore import QCoreApplication, QObject, QSettings, Qt, QTimer, Slot
 from PySide6.QtGui import QGuiApplication, QSurfaceFormat
 from PySide6.QtWidgets import QApplication
 
 from ui.actions import TIP
+from ui.collecting import keep_what_is_loaded
 from ui.controller import Controller
 from ui.diagnostics import CrashCatcher, log_path, log_tail, note_fact, start_logging, versions
 from ui.files import Files
 from ui.graphics import MODES, advice, graphics_mode, prepare, probe
 from ui.habits import Habits
-from ui.language import chosen_language, install
+from ui.language import Language, chosen_language, meant
 from ui.loading import Loader
 from ui.main_window import MainWindow
 from ui.messages import ReportDialog
@@ -27,9 +29,14 @@ from ui.preferences import LANGUAGES, Choices
 from ui.projects.desk import Desk, data_folder
 from ui.session import Session
 from ui.settings_file import open_settings, reset_settings
+from ui.succession import succeed
 from ui.theme import Theme, is_dark
 from ui.upkeep import Upkeep
 from ui.words import told, tr
+
+if TYPE_CHECKING:
+    from ui.inheritance import Inheritance
+    from ui.runner import JobRunner
 
 log = logging.getLogger(__name__)
 
@@ -74,30 +81,48 @@ class Studio(QObject):
         design: str | None = None,
         data: Path | None = None,
         graphics: str = "auto",
+        language: Language | None = None,
     ) -> None:
         super().__init__()
         self._theme, self._design, self._graphics = theme, design, graphics
+        self._settings, self._data = settings, data
+        self.language = language or Language(QApplication.instance())
         self.session = Session(self)
-        self.window = MainWindow(self.session, settings)
-        self.files = Files(self.session, self.window)
-        self.controller = Controller(self.session, self.window, self.files)
-        self.desk = Desk(self.session, self.window, self.files, self.controller.edits, data, self)
-        self.upkeep = Upkeep(self.window)
-        self.habits = Habits(self.controller, theme)
         self.loader = Loader(parent=self)
         self._dialogs: list[ReportDialog] = []
         self.loader.loaded.connect(self._on_loaded)
-        self.loader.finished.connect(self.desk.offer_recovery)
         self.loader.failed.connect(self._on_failed)
-        self.loader.finished.connect(self.habits.keys.entries)
+        self.loader.finished.connect(self._on_finished)
+        self.make_window()
         self._use_preferences(Choices(), self.habits.preferences.choices)
         self.habits.preferences.changed.connect(self._use_preferences)
         self.window.first_painted.connect(self.loader.start)
-        self.window.closing.connect(self._on_closing)
         theme.changed.connect(self._on_theme_changed)
-        self._connect_help()
         theme.apply()
         self.window.restore_layout()
+
+    def speak(self, language: str) -> None:
+        """Take a new window with the words of another language in place of this one; everything else goes on."""
+        if language == self.language.spoken:
+            return
+        for dialog in self._dialogs[:]:
+            dialog.reject()
+        succeed(self, language)
+
+    def make_window(self, inheritance: Inheritance | None = None) -> None:
+        """The window with all that belongs to it alone; it dies with the window."""
+        session = self.session
+        self.window = MainWindow(session, self._settings)
+        self.files = Files(session, self.window, inheritance)
+        self.controller = Controller(session, self.window, self.files, inheritance)
+        autosave = inheritance.autosave if inheritance else None
+        edits = self.controller.edits
+        self.desk = Desk(session, self.window, self.files, edits, self._data, self.window, autosave)
+        self.upkeep = Upkeep(self.window)
+        self.habits = Habits(self.controller, self._theme, inheritance.preferences if inheritance else None)
+        self._inherited_runner = inheritance.runner if inheritance else None
+        self.window.closing.connect(self.end)
+        self._connect_help()
 
     @Slot(str)
     def report_crash(self, report: str) -> None:
@@ -117,10 +142,17 @@ class Studio(QObject):
             self.desk.autosave.set_pause(now.autosave_seconds)
         if now.memory_limit_mb != before.memory_limit_mb:
             self.upkeep.memory.set_limit(now.memory_limit_mb)
+        if now.language != before.language:
+            QTimer.singleShot(0, self, lambda: self.speak(meant(self.habits.preferences.choices.language)))
 
-    def _on_closing(self) -> None:
+    def end(self) -> None:
+        """The window closes for good."""
         self._theme.changed.disconnect(self._on_theme_changed)
         self.loader.stop()
+
+    def _on_finished(self) -> None:
+        self.desk.offer_recovery()
+        self.habits.keys.entries()
 
     def _on_theme_changed(self, _tokens: object) -> None:
         self.controller.refresh_theme(is_dark())
@@ -130,17 +162,21 @@ class Studio(QObject):
         if stage == "core":
             self._fill_presets()
             self.controller.begin(self._design)
+            self._design = None
         elif stage == "worker":
-            from ui.runner import JobRunner
-
-            log_file = log_path().with_name("cad.log")
-            runner = JobRunner(self, log=str(log_file) if log_file.parent.is_dir() else None)
+            runner = self._inherited_runner or self._make_runner()
             self.controller.use_runner(runner)
             self.upkeep.use_runner(runner)
         elif stage == "views":
             self._make_views()
         elif stage == "charts":
             self.controller.charts_ready()
+
+    def _make_runner(self) -> JobRunner:
+        from ui.runner import JobRunner
+
+        log_file = log_path().with_name("cad.log")
+        return JobRunner(self, log=str(log_file) if log_file.parent.is_dir() else None)
 
     def _on_failed(self, stage: str, text: str, details: str) -> None:
         if stage == "views":
@@ -213,15 +249,6 @@ class Studio(QObject):
         dialog.open()
 
 
-def keep_what_is_loaded() -> None:
-    """Collect garbage from now on, but never again look through the modules that stay until the end.
-
-    They are 280 000 objects; to look through them holds up the window for more than a tenth of a second.
-    """
-    gc.freeze()
-    gc.enable()
-
-
 def main(argv: Sequence[str] | None = None) -> int:
     """Open the window on a design (a file or ``preset:KEY``), or leave a picture of it with ``--demo DIR``.
 
@@ -248,19 +275,19 @@ def main(argv: Sequence[str] | None = None) -> int:
     mode = graphics_mode(opened.settings, options.graphics)
     prepare(mode)
     application = make_application(sys.argv)
-    install(application, chosen_language(opened.settings, options.language))
+    language = Language(application, chosen_language(opened.settings, options.language))
     start_logging()
     theme = Theme(application)
     if options.demo is not None:
         from ui.demo import run_and_leave
 
         return run_and_leave(options.demo, theme, options.design)
-    studio = Studio(theme, opened.settings, options.design, data_folder(), mode)
+    studio = Studio(theme, opened.settings, options.design, data_folder(), mode, language)
     if opened.complaint:
         studio.window.messages.show_message("warning", opened.complaint, topic="settings")
     studio.loader.finished.connect(keep_what_is_loaded)
     if options.design is None:
-        studio.loader.finished.connect(studio.controller.help.tour.offer)
+        studio.loader.finished.connect(lambda: studio.controller.help.tour.offer())
     catcher = CrashCatcher(application)
     catcher.crashed.connect(studio.report_crash, Qt.ConnectionType.QueuedConnection)  # errors come while painting too
     catcher.install()

@@ -26,7 +26,7 @@ class Blanks(QObject):
         self.drawings = {member: BlankDrawing(member) for member in MEMBERS}
         for member, drawing in self.drawings.items():
             form.place_on_top(GROUPS[member], drawing)
-        session.design_changed.connect(lambda _design: self.refresh())
+        session.design_changed.connect(self.refresh)
         session.issues_changed.connect(self._on_issues)
 
     def refresh(self) -> None:

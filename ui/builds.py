@@ -42,12 +42,15 @@ class Builds(QObject):
         self._runner: JobRunner | None = None
         self._awaited: dict[Key, BuildJob] = {}
         self._requested = 0
+        self._at: tuple[Job, float] | None = None
         self._last_edit = QElapsedTimer()
         self.pause = Debounce(EDIT_PAUSE_MS, self)
         self.pause.settled.connect(self.build_missing)
 
     def use(self, runner: JobRunner) -> None:
         """Work through this runner from now on."""
+        if runner is self._runner:
+            return
         self._runner = runner
         runner.job_started.connect(self._on_started)
         runner.job_progressed.connect(self._on_progressed)
@@ -87,6 +90,11 @@ class Builds(QObject):
         self._session.forget_results()
         self.build_missing()
 
+    def announce(self) -> None:
+        """Say once more what is being done, for a window that has just been made."""
+        if self._at is not None:
+            self._announce(*self._at)
+
     def _on_started(self, job: Job) -> None:
         self._session.put_building(self._key(job))
         self._announce(job, 0.0)
@@ -121,9 +129,11 @@ class Builds(QObject):
 
     def _on_queue_changed(self, count: int) -> None:
         if count == 0:
+            self._at = None
             self.work_changed.emit(None, 1.0)
 
     def _announce(self, job: Job, fraction: float) -> None:
+        self._at = (job, fraction)
         key = self._key(job)
         if key is None:
             solid = tr("Building the {member} as a solid", member=tr(getattr(job, "member", "gear")))

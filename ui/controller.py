@@ -24,6 +24,7 @@ from ui.words import told, tr
 if TYPE_CHECKING:
     from gearstudio.jobs import Job
     from ui.files import Files
+    from ui.inheritance import Inheritance
     from ui.main_window import MainWindow
     from ui.runner import JobRunner
 
@@ -44,15 +45,20 @@ class Controller(QObject):
 
     settled = Signal()
 
-    def __init__(self, session: Session, window: MainWindow, files: Files) -> None:
+    def __init__(
+        self, session: Session, window: MainWindow, files: Files, inheritance: Inheritance | None = None
+    ) -> None:
         super().__init__(window)
         self.session, self.window, self.files = session, window, files
-        self.edits = Edits(session, window, self)
-        self.builds = Builds(session, self)
+        self.succeeded = False
+        self.worker_state = inheritance.worker_state if inheritance else ("starting", "")
+        self.edits = Edits(session, window, self, inheritance.history if inheritance else None)
+        self.builds = inheritance.builds if inheritance else Builds(session)
+        self.builds.setParent(self)
         self.presenter = Presenter(session, window.area, self)
         self.analysis = AnalysisPresenter(session, window.analysis, self)
         self.blanks = Blanks(session, window.form, self)
-        self.solid_mode = SolidMode(session, window, self.presenter, self)
+        self.solid_mode = SolidMode(session, window, self.presenter, self, inheritance.solids if inheritance else None)
         self.display = Display(session, window, self.presenter, self.solid_mode, self)
         self.reporting = Reporting(session, window, self.solid_mode, self)
         self.help = HelpDesk(session, window)
@@ -69,15 +75,20 @@ class Controller(QObject):
     def begin(self, name: str | None = None) -> None:
         """The core is loaded: judge the default design, or open a file."""
         self.window.layer_panel.fill()
-        self.session.load(self.session.design)
+        if self.session.pair is None:
+            self.session.load(self.session.design)
+        else:
+            self.session.announce()
         if name is not None:
             self.files.open_named(name)
 
     def use_runner(self, runner: JobRunner) -> None:
         """The CAD process can be started."""
         self.runner = runner
+        self._on_worker_state_changed(*self.worker_state)
         runner.worker_state_changed.connect(self._on_worker_state_changed)
         self.builds.use(runner)
+        self.builds.announce()
         self.solid_mode.use_runner(runner)
         self.analysis.use_runner(runner)
         self.reporting.use_runner(runner)
@@ -95,7 +106,7 @@ class Controller(QObject):
         self.window.commands.fill_layers()
         self.window.commands.layers.triggered.connect(lambda a: self._on_layer_switched(a.data(), a.isChecked()))
         panel.layer_switched.connect(self._on_layer_switched)
-        panel.set_chosen.connect(self._on_layer_set_chosen)
+        panel.set_chosen.connect(self.set_layers)
         self._show_layers(grid.visible_layers)
         self.window.commands.views.triggered.connect(lambda action: grid.set_view(action.data()))
         self.display.views_ready()
@@ -112,12 +123,22 @@ class Controller(QObject):
         if self.window.area.grid is not None:
             self.window.area.grid.set_theme(dark)
 
+    def set_layers(self, layer_ids: frozenset[str]) -> None:
+        """Switch exactly these layers on."""
+        grid = self.window.area.grid
+        if grid is not None:
+            grid.set_visible_layers(layer_ids)
+            self._show_layers(layer_ids)
+
     def close(self) -> None:
-        """End the work in progress and the CAD process."""
-        self.builds.pause.cancel()
+        """Let go of the window; end the work in progress and the CAD process, unless another window goes on with it."""
         self.presenter.close()
         self.solid_mode.close()
         self.reporting.close()
+        if self.succeeded:
+            return
+        self.builds.pause.cancel()
+        self.solid_mode.solids.close()
         if self.runner is not None:
             self.runner.close()
 
@@ -200,12 +221,6 @@ class Controller(QObject):
             grid.set_layer_visible(layer_id, visible)
             self._show_layers(grid.visible_layers)
 
-    def _on_layer_set_chosen(self, layer_ids: frozenset[str]) -> None:
-        grid = self.window.area.grid
-        if grid is not None:
-            grid.set_visible_layers(layer_ids)
-            self._show_layers(layer_ids)
-
     def _show_layers(self, layer_ids: frozenset[str]) -> None:
         self.window.layer_panel.show_visible(layer_ids)
         self.window.commands.show_layers(layer_ids)
@@ -238,7 +253,7 @@ class Controller(QObject):
         failed = [k for k in session.visible_keys if k in session.failures and not session.failures[k].cancelled]
         if key in failed:
             failure = session.failures[key]
-            text = f"{view_title(key)}: {told(failure.message)}"
+            text = tr("{view}: {problem}", view=view_title(key), problem=told(failure.message))
             self.window.messages.show_message("error", text, failure.details, topic="build")
         elif not failed:
             self.window.messages.clear("build")
@@ -251,6 +266,7 @@ class Controller(QObject):
 
     def _on_worker_state_changed(self, state: str, reason: str) -> None:
         log.info("CAD process: %s %s", state, reason)
+        self.worker_state = (state, reason)
         self.window.status.show_worker(state)
         if state == "replaced":
             text = tr("The CAD kernel stopped unexpectedly and is being restarted; nothing of the design is lost.")

@@ -12,7 +12,7 @@ from ui.applicability import idle_fields
 from ui.explain import field_value_text, full_title
 from ui.session import Session, flatten
 from ui.undo import History
-from ui.words import tr
+from ui.words import told, tr
 
 if TYPE_CHECKING:
     from gearstudio.presets import Preset
@@ -32,17 +32,17 @@ class Edits(QObject):
 
     history_changed = Signal()
 
-    def __init__(self, session: Session, window: MainWindow, parent: QObject) -> None:
+    def __init__(self, session: Session, window: MainWindow, parent: QObject, history: History | None = None) -> None:
         super().__init__(parent)
         self._session, self._window = session, window
-        self.history = History()
+        self.history = history or History()
         form = window.form
         form.field_edited.connect(self.change)
         form.field_finished.connect(self.history.seal)
         form.field_reset.connect(lambda path: self.reset((path,)))
         form.group_reset.connect(self.reset_group)
         session.draft_replaced.connect(self._show_draft)
-        session.design_changed.connect(lambda _design: form.show_changes(session.draft))
+        session.design_changed.connect(self._show_changes)
         commands = window.commands
         commands["undo"].triggered.connect(self.undo)
         commands["redo"].triggered.connect(self.redo)
@@ -78,11 +78,13 @@ class Edits(QObject):
 
     def undo(self) -> None:
         """Take the last step back and say which."""
-        self._restore(self.history.undo_label, self.history.undo(), tr("Undone: {step}"))
+        label = self.history.undo_label
+        self._restore(self.history.undo(), tr("Undone: {step}", step=told(label)))
 
     def redo(self) -> None:
         """Do the step undone last again and say which."""
-        self._restore(self.history.redo_label, self.history.redo(), tr("Done again: {step}"))
+        label = self.history.redo_label
+        self._restore(self.history.redo(), tr("Done again: {step}", step=told(label)))
 
     def clear(self) -> None:
         """Forget all steps, as for another file."""
@@ -93,7 +95,7 @@ class Edits(QObject):
         """Name the steps in the menu and in the tooltips of the toolbar."""
         commands = self._window.commands
         for name, label in (("undo", self.history.undo_label), ("redo", self.history.redo_label)):
-            commands.name_step(name, label)
+            commands.name_step(name, told(label) if label else "")
         self.history_changed.emit()
 
     def _apply(self, values: Mapping[str, Any], label: str, thread: str) -> None:
@@ -109,20 +111,23 @@ class Edits(QObject):
         form.show_changes(session.draft)
         self.show_history()
 
-    def _restore(self, label: str, draft: Mapping[str, Any] | None, words: str) -> None:
+    def _restore(self, draft: Mapping[str, Any] | None, words: str) -> None:
         if draft is None:
             return
         self._session.restore(draft)
         self.history.seal()
         self.show_history()
-        self._window.status.showMessage(words.format(step=label), SHOWN_MS)
+        self._window.status.showMessage(words, SHOWN_MS)
 
     def _show_draft(self) -> None:
         form, draft = self._window.form, self._session.draft
         with QSignalBlocker(form):
             form.set_values(draft)
         form.set_idle(idle_fields(draft))
-        form.show_changes(draft)
+        self._show_changes()
+
+    def _show_changes(self) -> None:
+        self._window.form.show_changes(self._session.draft)
 
     def _reset_focused(self) -> None:
         path = self._window.form.focused_path()

@@ -9,15 +9,17 @@ from typing import Any
 from gearstudio.design import FieldSpec, all_field_specs
 from ui.formatting import choice_title, subscripts
 from ui.units import shown_text, spaced
-from ui.words import tr
+from ui.words import retold, tr
 
 
+@retold
 def title_in_text(spec: FieldSpec) -> str:
     """A field's title within a sentence: small letters in English, as it is in other languages."""
     title = tr(spec.title)
     return title[0].lower() + title[1:] if title == spec.title and title[1:2].islower() else title
 
 
+@retold
 def full_title(spec: FieldSpec) -> str:
     """A field's title within a sentence, with its group where several have this title."""
     title = title_in_text(spec)
@@ -25,6 +27,7 @@ def full_title(spec: FieldSpec) -> str:
     return f"{tr(spec.group)}: {title}" if twins > 1 else title
 
 
+@retold
 def field_value_text(spec: FieldSpec, value: Any) -> str:
     """A value of a field in words: ``41``, ``80 mm``, ``Circular arc (milled)``, ``derived``."""
     if value is None:

@@ -17,6 +17,7 @@ from ui.words import noted, told, tr
 
 if TYPE_CHECKING:
     from gearstudio.presets import Preset
+    from ui.inheritance import Inheritance
     from ui.main_window import MainWindow
 
 SUFFIX = ".gear.toml"
@@ -44,14 +45,16 @@ class Files(QObject):
     saved = Signal(object)
     export_requested = Signal(object)
 
-    def __init__(self, session: Session, window: MainWindow) -> None:
+    def __init__(self, session: Session, window: MainWindow, inheritance: Inheritance | None = None) -> None:
         super().__init__(window)
         self._session = session
         self._window = window
-        self.lock = ProjectLock()
+        self.lock = inheritance.lock if inheritance else ProjectLock()
         window.closing.connect(self.lock.release)
         documents = QStandardPaths.StandardLocation.DocumentsLocation
         self._folder = QStandardPaths.writableLocation(documents) or QDir.homePath()
+        if inheritance is not None:
+            self._folder = inheritance.folder
 
     @property
     def folder(self) -> str:

@@ -28,11 +28,14 @@ SCHEMES = {"system": Qt.ColorScheme.Unknown, "light": Qt.ColorScheme.Light, "dar
 class Habits(QObject):
     """Connects a window to the preferences and to the commands that every part of it shares."""
 
-    def __init__(self, controller: Controller, theme: Theme | None = None) -> None:
+    def __init__(
+        self, controller: Controller, theme: Theme | None = None, preferences: Preferences | None = None
+    ) -> None:
         super().__init__(controller)
         self._session, self._window, self._theme = controller.session, controller.window, theme
         settings = self._window.settings
-        self.preferences = Preferences(settings, self)
+        self.preferences = preferences or Preferences(settings)
+        self.preferences.setParent(self)
         self.preferences.changed.connect(self._on_preferences)
         self.keys = Keys(self._window, settings)
         self._connect_commands()

@@ -24,7 +24,29 @@ def language_of_system(names: list[str]) -> str:
 def chosen_language(settings: QSettings | None, asked: str | None = None) -> str:
     """What was asked for on the command line, else what the preferences say, else the system's language."""
     choice = asked or (str(settings.value(NAMES["language"], "")) if settings is not None else "")
-    return choice if choice in dict(LANGUAGES) and choice else language_of_system(QLocale.system().uiLanguages())
+    return meant(choice if choice in dict(LANGUAGES) else "")
+
+
+def meant(choice: str) -> str:
+    """The language that a choice in the preferences stands for; empty is the system's."""
+    return choice or language_of_system(QLocale.system().uiLanguages())
+
+
+class Language:
+    """The language that an application speaks; `speak` changes it."""
+
+    def __init__(self, application: QCoreApplication, spoken: str = ENGLISH) -> None:
+        self._application = application
+        self._translators = install(application, spoken)
+        self.spoken = spoken
+
+    def speak(self, language: str) -> None:
+        """Take the words of another language; windows that exist keep theirs."""
+        for translator in self._translators:
+            self._application.removeTranslator(translator)
+            translator.deleteLater()
+        self._translators = install(self._application, language)
+        self.spoken = language
 
 
 def install(application: QCoreApplication, language: str) -> tuple[QTranslator, ...]:

@@ -57,6 +57,8 @@ class Loader(QObject):
     def __init__(self, stages: Mapping[str, Sequence[str]] = STAGES, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._stages = stages
+        self._told: list[tuple[str, ...]] = []
+        self.has_finished = False
         self._thread = threading.Thread(target=self._run, name="imports", daemon=True)
         self._stop = threading.Event()
         self._imported.connect(self._on_imported, Qt.ConnectionType.QueuedConnection)
@@ -73,6 +75,14 @@ class Loader(QObject):
         self._stop.set()
         if self._thread.is_alive():
             self._thread.join()
+
+    def tell_again(self) -> None:
+        """Tell once more what has been loaded and what has failed, for a window that has just been made."""
+        for stage, *trouble in self._told:
+            if trouble:
+                self.failed.emit(stage, *trouble)
+            else:
+                self.loaded.emit(stage)
 
     def _run(self) -> None:
         for stage, modules in self._stages.items():
@@ -94,14 +104,17 @@ class Loader(QObject):
     @Slot(str)
     def _on_imported(self, stage: str) -> None:
         if not self._stop.is_set():
+            self._told.append((stage,))
             self.loaded.emit(stage)
 
     @Slot(str, str, str)
     def _on_broke(self, stage: str, text: str, details: str) -> None:
         if not self._stop.is_set():
+            self._told.append((stage, text, details))
             self.failed.emit(stage, text, details)
 
     @Slot()
     def _on_ended(self) -> None:
         if not self._stop.is_set():
+            self.has_finished = True
             self.finished.emit()

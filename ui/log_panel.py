@@ -103,6 +103,17 @@ class LogPanel(QWidget):
             self.text.horizontalScrollBar().setValue(0)
         self._show_count()
 
+    def keep_state(self) -> object:
+        """The entries, for `take_state`."""
+        return tuple(self._entries)
+
+    def take_state(self, state: object) -> None:
+        """Begin with the entries of another panel."""
+        if isinstance(state, tuple):
+            self._entries.extendleft(reversed(state))
+            self._fill()
+            self._show_count()
+
     def _fill(self) -> None:
         least = self.level.currentData()
         self.text.setPlainText("\n".join(entry.text for entry in self._entries if entry.level >= least))

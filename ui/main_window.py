@@ -120,9 +120,17 @@ class MainWindow(QMainWindow):
             geometry, layout = (self._settings.value(name) for name in ("geometry", "layout"))
             if isinstance(geometry, QByteArray) and isinstance(layout, QByteArray):
                 self.restoreGeometry(geometry)
-                self.restoreState(layout, LAYOUT_VERSION)
-
+                self.restore_panels(layout)
         self.show_solid_mode(False)
+
+    def layout_state(self) -> QByteArray:
+        """Where the panels are, apart from what the solid mode moves."""
+        self.show_solid_mode(False)
+        return self.saveState(LAYOUT_VERSION)
+
+    def restore_panels(self, layout: QByteArray) -> None:
+        """Put the panels where `layout_state` found them."""
+        self.restoreState(layout, LAYOUT_VERSION)
 
     def show_solid_mode(self, solid: bool) -> None:
         """The panel of solids in the place of the layers, at full height, or the layers again."""
@@ -191,10 +199,10 @@ class MainWindow(QMainWindow):
             event.ignore()
             return
         self._closed = True
-        self.show_solid_mode(False)
+        layout = self.layout_state()
         if self._settings is not None:
             self._settings.setValue("geometry", self.saveGeometry())
-            self._settings.setValue("layout", self.saveState(LAYOUT_VERSION))
+            self._settings.setValue("layout", layout)
         self.hide()
         self.closing.emit()
         self.analysis.close_pages()

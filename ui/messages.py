@@ -39,6 +39,7 @@ class MessageBar(QFrame):
         self.topic = ""
         self._severity = "info"
         self._full = ""
+        self._shown = ("", "", "", "")
         self._picture = QLabel()
         self._text = QLabel()
         self._text.setWordWrap(True)
@@ -86,6 +87,7 @@ class MessageBar(QFrame):
         """
         self.topic = topic
         self._severity = severity
+        self._shown = (severity, text, details, topic)
         self._full = f"{told(text)}\n\n{details}" if details else told(text)
         self._text.setText(told(text))
         self._details.setPlainText(details)
@@ -95,6 +97,16 @@ class MessageBar(QFrame):
         self.refresh_icons()
         set_severity(self, severity)
         self.show()
+
+    def keep_state(self) -> object:
+        """The message in sight, for `take_state`."""
+        return None if self.isHidden() else self._shown
+
+    def take_state(self, state: object) -> None:
+        """Show the message of another bar, in the language of the window."""
+        if isinstance(state, tuple):
+            severity, text, details, topic = state
+            self.show_message(severity, text, details, topic=topic)
 
     def clear(self, topic: str | None = None) -> None:
         """Hide the message, if it is about this topic (None: whatever it is)."""

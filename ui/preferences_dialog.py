@@ -42,7 +42,7 @@ class PreferencesDialog(QDialog):
     def __init__(self, preferences: Preferences, keys: Keys, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setWindowTitle(tr("Preferences"))
-        self.resize(640, 520)
+        self.resize(700, 520)
         self._preferences = preferences
         self.editors: dict[str, QComboBox | QSpinBox] = {}
         self.tabs = QTabWidget()
@@ -82,7 +82,7 @@ class PreferencesDialog(QDialog):
         box.setToolTip(tr("Digits after the point of lengths in mm and angles; two more in inches"))
         self._choice(form, "theme", tr("Theme"), THEMES, tr("Colours of the window"))
         self._choice(form, "language", tr("Language"), LANGUAGES, tr("Words of the window"))
-        _note(form, tr("A new language is spoken from the next window on; File ▸ New window opens one."))
+        _note(form, tr("The window changes its language at once; the design and its results stay as they are."))
         return page
 
     def _work_page(self) -> QWidget:

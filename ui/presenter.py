@@ -10,7 +10,7 @@ from PySide6.QtCore import QObject, QTimer, Slot
 from ui.formatting import METHOD_TITLES, VARIANT_TITLES, micrometres
 from ui.session import Key, Session
 from ui.views.wardrobe import Wardrobe
-from ui.words import inline, told, tr
+from ui.words import inline, retold, told, tr
 
 if TYPE_CHECKING:
     from gearstudio.results import VariantResult
@@ -23,6 +23,7 @@ if TYPE_CHECKING:
 REDRAW_PAUSE_MS = 15
 
 
+@retold
 def view_title(key: Key) -> str:
     """Method and variant, over a view."""
     return f"{tr(METHOD_TITLES[key.method])} · {inline(VARIANT_TITLES[key.variant])}"

@@ -131,6 +131,15 @@ class Session(QObject):
         self._judge()
         self.document_changed.emit()
 
+    def announce(self) -> None:
+        """Tell everything once more, for a window that has just been made."""
+        self.draft_replaced.emit()
+        self.issues_changed.emit(self.issues)
+        self.selection_changed.emit()
+        self.design_changed.emit(self.design)
+        self.results_changed.emit(None)
+        self.document_changed.emit()
+
     def mark_saved(self, path: Path, design: Design) -> None:
         """Remember that a file now holds this design."""
         self.path, self.read_only, self._saved = path, False, flatten(design)

@@ -83,6 +83,8 @@ class Solids(QObject):
 
     def use(self, runner: JobRunner) -> None:
         """Work through this runner from now on."""
+        if runner is self._runner:
+            return
         self._runner = runner
         runner.job_started.connect(lambda job: self._on_progressed(job, "building", 0.0))
         runner.job_progressed.connect(self._on_progressed)

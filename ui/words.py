@@ -2,11 +2,24 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from functools import partial, wraps
+from typing import ParamSpec
+
 from PySide6.QtCore import QCoreApplication
 
-from gearstudio.words import noted as noted
-
 CONTEXT = "GearStudio"
+_Given = ParamSpec("_Given")
+
+
+class Said(str):
+    """A text that remembers how it came about, so that `told` can say it again after a change of language."""
+
+    __slots__ = ("again",)
+    again: Callable[[], str]
+
+    def __reduce__(self) -> tuple[type[str], tuple[str]]:
+        return str, (str(self),)  # other processes take the words as they are
 
 
 def tr(text: str, /, **values: object) -> str:
@@ -16,17 +29,48 @@ def tr(text: str, /, **values: object) -> str:
     for the translation files.
     """
     said = QCoreApplication.translate(CONTEXT, text) if text else ""
-    return said.format(**values) if values else said
+    return _remembered(said.format(**values) if values else said, partial(_tr_again, text, values))
+
+
+def noted(text: str, /) -> str:
+    """The text as it is: marks a literal that is translated where it is shown."""
+    return text
 
 
 def inline(text: str, /) -> str:
     """A title within a sentence: in small letters in English, as it is in languages that write nouns with capitals."""
     said = tr(text)
-    return said.lower() if said == text else said
+    return _remembered(said.lower() if said == text else said, partial(inline, text))
 
 
 def told(message: object, /) -> str:
-    """A sentence of the core (an issue, an error, a stage) in the chosen language; an unknown one stays English."""
+    """A sentence of the core (an issue, an error, a stage) in the chosen language; an unknown one stays English.
+
+    What was said before (`Said`), also in another language, is said again in the present one.
+    """
     from ui.sentences import translated
 
-    return "\n".join(translated(line) for line in str(message).split("\n"))
+    if isinstance(message, Said):
+        return message.again()
+    lines = str(message).split("\n")
+    return _remembered("\n".join(translated(line) for line in lines), partial(told, "\n".join(lines)))
+
+
+def retold(make: Callable[_Given, str]) -> Callable[_Given, str]:
+    """For a function that puts words together: what it returns can be said again, by calling it again."""
+
+    @wraps(make)
+    def made(*args: _Given.args, **kwargs: _Given.kwargs) -> str:
+        return _remembered(make(*args, **kwargs), partial(made, *args, **kwargs))
+
+    return made
+
+
+def _tr_again(text: str, values: dict[str, object]) -> str:
+    return tr(text, **{name: told(value) if isinstance(value, Said) else value for name, value in values.items()})
+
+
+def _remembered(text: str, again: Callable[[], str]) -> str:
+    said = Said(text)
+    said.again = again
+    return said

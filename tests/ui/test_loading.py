@@ -9,7 +9,7 @@ import types
 
 import pytest
 
-from ui.app import keep_what_is_loaded
+from ui.collecting import keep_what_is_loaded
 from ui.loading import Loader
 
 

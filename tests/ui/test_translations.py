@@ -7,12 +7,13 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import QAbstractListModel, QObject, Qt, QTranslator
-from PySide6.QtWidgets import QAbstractItemView, QApplication, QComboBox, QLineEdit, QPlainTextEdit
+from PySide6.QtCore import QTranslator
+from PySide6.QtWidgets import QApplication
 
 from gearstudio.design import Design, field_specs, with_field
 from gearstudio.errors import FileError, ModellingError
 from gearstudio.validation import read_design
+from tests.ui.reading import texts_of
 from tests.ui.stand_ins import Bench
 from tools import translations
 from ui.language import install, language_of_system
@@ -134,36 +135,11 @@ def test_no_text_of_the_window_is_left_out(qapp: QApplication) -> None:
     bench = Bench()
     try:
         qapp.processEvents()
-        left = [f"{where}: {text}" for where, text in _visible(bench.window) if _is_left(text)]
+        left = [f"{where}: {text}" for where, text in texts_of(bench.window) if _is_left(text)]
     finally:
         bench.close()
         qapp.removeTranslator(marking)
     assert not left, "\n".join(left)
-
-
-def _visible(root: QObject) -> Iterator[tuple[str, str]]:
-    for thing in (root, *root.findChildren(QObject)):
-        if thing.objectName().startswith("qt_"):
-            continue
-        name = f"{type(thing).__name__} {thing.objectName()}"
-        for read in ("text", "toolTip", "accessibleName", "windowTitle", "placeholderText", "statusTip", "title"):
-            written = read == "text" and isinstance(thing, QLineEdit | QPlainTextEdit)
-            said = getattr(thing, read, None)
-            if callable(said) and not written and isinstance(said(), str):
-                yield f"{name} {read}", said()
-        if isinstance(thing, QComboBox):
-            yield from ((name, thing.itemText(index)) for index in range(thing.count()))
-        if isinstance(thing, QAbstractItemView) and thing.model() is not None:
-            yield from ((name, text) for text in _cells(thing))
-
-
-def _cells(view: QAbstractItemView) -> Iterator[str]:
-    model = view.model()
-    columns = 1 if isinstance(model, QAbstractListModel) else model.columnCount()
-    for column in range(columns):
-        texts = [model.headerData(column, Qt.Orientation.Horizontal)]
-        texts += [model.index(row, column).data() for row in range(model.rowCount())]
-        yield from (text for text in texts if isinstance(text, str))
 
 
 def _is_left(text: str) -> bool:

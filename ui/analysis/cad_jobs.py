@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QObject, Signal, SignalInstance
+from PySide6.QtCore import QObject, Signal
 
 if TYPE_CHECKING:
     from gearstudio.jobs import Job
@@ -40,10 +40,10 @@ class CadJobs(QObject):
     def use_runner(self, runner: JobRunner) -> None:
         """The CAD process can be started."""
         self._runner = runner
-        runner.job_progressed.connect(lambda job, *rest: self._pass(self.progressed, job, *rest))
-        runner.job_done.connect(lambda job, *rest: self._pass(self.done, job, *rest))
-        runner.job_failed.connect(lambda job, *rest: self._pass(self.failed, job, *rest))
-        runner.job_cancelled.connect(lambda job: self._pass(self.cancelled, job))
+        runner.job_progressed.connect(self._on_progressed)
+        runner.job_done.connect(self._on_done)
+        runner.job_failed.connect(self._on_failed)
+        runner.job_cancelled.connect(self._on_cancelled)
         waiting, self._waiting = self._waiting, {}
         for job in waiting.values():
             runner.submit((job,))
@@ -61,7 +61,18 @@ class CadJobs(QObject):
         if self._runner is not None:
             self._runner.cancel()
 
-    @staticmethod
-    def _pass(signal: SignalInstance, job: Job, *rest: object) -> None:
+    def _on_progressed(self, job: Job, stage: str, fraction: float) -> None:
         if job.purpose in PURPOSES:
-            signal.emit(job, *rest)
+            self.progressed.emit(job, stage, fraction)
+
+    def _on_done(self, job: Job, result: object) -> None:
+        if job.purpose in PURPOSES:
+            self.done.emit(job, result)
+
+    def _on_failed(self, job: Job, text: str, details: str) -> None:
+        if job.purpose in PURPOSES:
+            self.failed.emit(job, text, details)
+
+    def _on_cancelled(self, job: Job) -> None:
+        if job.purpose in PURPOSES:
+            self.cancelled.emit(job)

@@ -91,6 +91,16 @@ class ConvergencePart(QObject):
             self.found, self.failures = [], 0
             self.stop()
 
+    def keep_state(self) -> object:
+        """The study as far as it is, for `take_state`."""
+        return self._design, self._member, self.found, self.failures, self._left, self._running
+
+    def take_state(self, state: object) -> None:
+        """Go on with the study of another window."""
+        if isinstance(state, tuple):
+            self._design, self._member, self.found, self.failures, self._left, self._running = state
+            self._show()
+
     def toggle(self) -> None:
         """Start the study, or end it."""
         if self.running:

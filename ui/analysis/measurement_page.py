@@ -14,7 +14,7 @@ from gearstudio.files import write_text
 from gearstudio.theory.cones import PairGeometry
 from ui.analysis.cad_jobs import CadJobs
 from ui.analysis.measured_view import MeasuredView
-from ui.analysis.measurement_data import ALL_TEETH, Measurement
+from ui.analysis.measurement_data import ALL_TEETH, Measurement, Source
 from ui.analysis.measurement_panel import MeasurementPanel
 from ui.analysis.measurement_work import Against, Asked, Drawn, MeasurementWork
 from ui.charts.chart import Chart
@@ -106,6 +106,17 @@ class MeasurementPage(QWidget):
         self.panel.show_density(is_model(path))
         self._request()
 
+    def keep_state(self) -> object:
+        """The points, read, for `take_state`."""
+        return self.work.source
+
+    def take_state(self, state: object) -> None:
+        """Measure the points of another window."""
+        if isinstance(state, Source):
+            self.work.source = state
+            self.panel.show_density(is_model(state.path))
+            self._request()
+
     def save_nominal(self, path: Path) -> None:
         """Write the nominal grid of the member with its normals."""
         from gearstudio.exchange.measured import nominal_grid_text
@@ -118,7 +129,7 @@ class MeasurementPage(QWidget):
             self.said.emit("error", tr("The nominal grid was not saved: {reason}", reason=told(error)))
         else:
             self.said.emit(
-                "info", tr("Saved the nominal grid of the {member} as {path}", member=self.panel.member, path=path)
+                "info", tr("Saved the nominal grid of the {member} as {path}", member=tr(self.panel.member), path=path)
             )
 
     def show_view(self, view: str) -> None:
@@ -211,7 +222,7 @@ class MeasurementPage(QWidget):
 
 
 def _words(measurement: Measurement) -> str:
-    source, member = measurement.source, measurement.member.name
+    source, member = measurement.source, tr(measurement.member.name)
     if source.faces is None:
         return tr("{file}, against the {member}", file=source.path.name, member=member)
     return tr(

@@ -36,7 +36,7 @@ class AnalysisPresenter(QObject):
         area.page_made.connect(self._on_page_made)
         facts = (session.results_changed, session.design_changed, session.selection_changed, area.tab_chosen)
         for signal in facts:
-            signal.connect(lambda *_: self._timer.start())
+            signal.connect(self._show_soon)
 
     def use_charts(self) -> None:
         """The charts' library is loaded."""
@@ -47,6 +47,9 @@ class AnalysisPresenter(QObject):
     def use_runner(self, runner: JobRunner) -> None:
         """The CAD process can be started."""
         self._jobs.use_runner(runner)
+
+    def _show_soon(self) -> None:
+        self._timer.start()
 
     def _on_page_made(self, page: Page) -> None:
         page.said.connect(self.said)

@@ -38,7 +38,14 @@ class Desk(QObject):
     """Recent files, new windows, drops, comparison; with a ``data`` folder also autosave, recovery and backups."""
 
     def __init__(
-        self, session: Session, window: MainWindow, files: Files, edits: Edits, data: Path | None, parent: QObject
+        self,
+        session: Session,
+        window: MainWindow,
+        files: Files,
+        edits: Edits,
+        data: Path | None,
+        parent: QObject,
+        autosave: Autosave | None = None,
     ) -> None:
         super().__init__(parent)
         self._session, self._window, self._files, self._edits = session, window, files, edits
@@ -46,13 +53,14 @@ class Desk(QObject):
         self.drops = Drops(window.analysis, self)
         self.backups = Backups(data / "backups") if data else None
         self._recovery_folder = data / "recovery" if data else None
-        self.autosave = Autosave(session, data / "recovery", self) if data else None
+        self.autosave = autosave or (Autosave(session, data / "recovery") if data else None)
         self.watch = FileWatch(session, window, files, edits, self)
         self.recent.chosen.connect(files.open_path)
         files.file_used.connect(self.recent.add)
         files.saved.connect(self._on_saved)
         window.others_dropped.connect(self.drops.take)
         if self.autosave is not None:
+            self.autosave.setParent(self)
             self.autosave.failed.connect(self._on_autosave_failed)
             window.closing.connect(self.autosave.close)
         handlers: dict[str, Any] = {

@@ -37,6 +37,7 @@ class FileWatch(QObject):
         files.opened.connect(self._follow)
         files.saved.connect(lambda _path: self._follow())
         window.closing.connect(self._timer.stop)
+        self._follow()
 
     def look(self) -> None:
         """Compare now, and ask when the file is another one; a file that is gone is told."""

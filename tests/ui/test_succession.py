@@ -1,0 +1,209 @@
+"""Another language in the open window: every text changes, nothing else does, and the old window is gone."""
+
+from __future__ import annotations
+
+import gc
+import os
+import re
+import sys
+import weakref
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import QSettings, Qt
+from PySide6.QtWidgets import QApplication, QDialog, QWidget
+
+from tests.ui.reading import texts_of
+from tools import translations
+from ui.app import Studio
+from ui.preferences_dialog import PreferencesDialog
+from ui.session import Key
+
+pytestmark = [
+    pytest.mark.ui,
+    pytest.mark.gl,
+    pytest.mark.skipif(
+        os.environ.get("QT_QPA_PLATFORM") == "offscreen"
+        or (sys.platform.startswith("linux") and not (os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))),
+        reason="needs a screen with OpenGL",
+    ),
+]
+TEETH = "pair.pinion_teeth"
+PATIENCE_MS = 90_000
+CHINESE = re.compile(r"[\u4e00-\u9fff]")
+OWN_NAMES = {"English", "Deutsch", "中文"}
+
+
+@pytest.fixture
+def open_studio(qtbot, theme, tmp_path: Path) -> Iterator[Callable[[], Studio]]:
+    opened: list[Studio] = []
+
+    def make() -> Studio:
+        settings = QSettings(str(tmp_path / "settings.ini"), QSettings.Format.IniFormat)
+        settings.setValue("language", "en")
+        studio = Studio(theme, settings, data=tmp_path / "data")
+        opened.append(studio)
+        studio.window.show()
+        return studio
+
+    yield make
+    for studio in opened:
+        studio.window.may_close = lambda: True
+        studio.window.close()
+        studio.window.deleteLater()
+        studio.language.speak("en")
+
+
+@pytest.fixture
+def studio(open_studio, qtbot) -> Studio:
+    made = open_studio()
+    qtbot.waitUntil(lambda: made.loader.has_finished and complete(made), timeout=PATIENCE_MS)
+    return made
+
+
+def complete(studio: Studio) -> bool:
+    return studio.session.pair is not None and not studio.session.missing_keys()
+
+
+def edit(studio: Studio, path: str, value: object) -> None:
+    studio.window.form.field_edited.emit(path, value)
+
+
+def choose(studio: Studio, qtbot, language: str) -> None:
+    """As the user does: in the preferences."""
+    studio.habits.preferences.set(language=language)
+    qtbot.waitUntil(lambda: studio.language.spoken == language, timeout=20_000)
+    qtbot.wait(200)
+
+
+def left_over(studio: Studio, language: str) -> list[str]:
+    """Texts of the window in another language than the present one."""
+    places = {text: where for where, text in texts_of(studio.window) if text not in OWN_NAMES}
+    shown = set(places)
+    if language != "zh":
+        assert not [text for text in shown if CHINESE.search(text)]
+    other = {"en": "de", "de": "en", "zh": "de"}[language]
+    foreign = _words(other) - _words(language)
+    if language == "zh":
+        foreign |= _words("en") - _words("zh")
+    return sorted(f"{places[text]}: {text}" for text in shown & foreign)
+
+
+def _words(language: str) -> set[str]:
+    """What is said in a language, with the marks of keys and without."""
+    known = translations.read_ts(translations.ts_path("de" if language == "en" else language))[translations.WORDS]
+    said = set(known) if language == "en" else set(known.values())
+    return said | {text.replace("&", "") for text in said}
+
+
+def test_the_window_takes_another_language_and_keeps_everything_else(studio: Studio, qtbot) -> None:
+    session, runner = studio.session, studio.controller.runner
+    edit(studio, TEETH, 19)
+    edit(studio, "name", "Something")
+    qtbot.waitUntil(lambda: complete(studio), timeout=PATIENCE_MS)
+    window, grid = studio.window, studio.window.area.grid
+    window.resize(1400, 860)
+    grid.set_view("front")
+    look = grid.viewport.looks[0]
+    studio.controller.set_layers(grid.visible_layers | {"base_cone"})
+    window.area.color_bar.set_range(-0.5, 0.5)
+    window.analysis.show_tab("charts")
+    qtbot.wait(300)
+    page = window.analysis.page
+    page.kinds.button("histogram").click()
+    page.paper.click()
+    session.forget_results([Key("wheel", "point_cloud", "published")])
+    studio.controller.builds.build_missing()
+    qtbot.waitUntil(lambda: complete(studio), timeout=PATIENCE_MS)
+    before = dict(session.results), dict(session.draft), runner.process_id, window.geometry()
+    started: list[object] = []
+    runner.job_started.connect(started.append)
+
+    for language, undo in (("de", "Name auf “Something” ändern"), ("zh", "Something"), ("en", "Change name to")):
+        old = weakref.ref(studio.window), weakref.ref(studio.window.area.grid)
+        choose(studio, qtbot, language)
+        window, grid = studio.window, studio.window.area.grid
+        assert not left_over(studio, language)
+        assert undo in window.commands["undo"].text() or language == "de", window.commands["undo"].text()
+        gc.collect()
+        assert old[0]() is None and old[1]() is None, "the old window is still there"
+        assert [w for w in QApplication.topLevelWidgets() if type(w).__name__ == "MainWindow"] == [window]
+        assert window.isVisible() and window.geometry() == before[3]
+        assert session.results == before[0] and session.draft == before[1] and session.unsaved
+        assert window.isWindowModified()
+        assert runner is studio.controller.runner and runner.process_id == before[2] and not started
+        assert (grid.viewport.looks[0].eye == look.eye).all() and "base_cone" in grid.visible_layers
+        assert window.area.color_bar.range == (-0.5, 0.5) and not window.area.color_bar.automatic
+        assert window.analysis.tab == "charts" and window.analysis.page.kind == "histogram"
+        assert not window.analysis.page.paper.isChecked()
+        assert all(panel.subtitle for panel in grid.panels)
+
+    studio.window.commands["undo"].trigger()
+    studio.window.commands["undo"].trigger()
+    assert session.draft[TEETH] == 17 and not session.unsaved and not studio.window.isWindowModified()
+    choose(studio, qtbot, "de")
+    assert "Wiederholen" in studio.window.commands["redo"].text()
+    studio.window.commands["redo"].trigger()
+    assert session.draft[TEETH] == 19
+    qtbot.waitUntil(lambda: complete(studio), timeout=PATIENCE_MS)
+
+
+def test_work_in_progress_goes_on_and_messages_follow(studio: Studio, qtbot) -> None:
+    studio.window.messages.show_message("info", "", topic="file")
+    studio.desk.recover()
+    assert studio.window.messages.text == "There is no unsaved work to recover."
+    edit(studio, TEETH, 23)
+    runner, asked = studio.controller.runner, []
+    qtbot.waitUntil(lambda: studio.session.building is not None, timeout=PATIENCE_MS)
+    submit = runner.submit
+    runner.submit = lambda jobs, replace=True: (asked.append(jobs), submit(jobs, replace))
+    choose(studio, qtbot, "de")
+    assert "wiederherzustellen" in studio.window.messages.text
+    qtbot.waitUntil(lambda: complete(studio), timeout=PATIENCE_MS)
+    assert not asked, "what was on its way was asked for again"
+    assert studio.session.design.pair.pinion_teeth == 23
+    qtbot.waitUntil(lambda: "…" not in "".join(p.subtitle for p in studio.window.area.grid.panels), timeout=5000)
+    assert studio.desk.autosave is not None
+    qtbot.waitUntil(studio.desk.autosave.file.exists, timeout=5000)
+
+
+def test_the_dialog_stands_open_in_the_new_language_and_solids_stay(studio: Studio, qtbot) -> None:
+    studio.controller.solid_mode.build("gear")
+    solids = studio.controller.solid_mode.solids
+    qtbot.waitUntil(lambda: bool(solids.built) and not solids._awaited, timeout=PATIENCE_MS)
+    built = dict(solids.built)
+    qtbot.waitUntil(lambda: [p.key for p in studio.window.area.grid.panels] == ["solid"], timeout=10_000)
+    qtbot.wait(300)
+    grid = studio.window.area.grid
+    grid.viewport.set_camera(grid.viewport.look.turned(0.4, 0.2))
+    eye = grid.viewport.look.eye
+    studio.window.solid_panel.section_box.click()
+    studio.habits.open_preferences(0)
+    dialog = studio.window.findChild(PreferencesDialog)
+    combo = dialog.editors["language"]
+    combo.setCurrentIndex(combo.findData("zh"))
+    combo.activated.emit(combo.currentIndex())
+    qtbot.waitUntil(lambda: studio.language.spoken == "zh", timeout=20_000)
+    dialogs = [d for d in studio.window.findChildren(QDialog) if d.isVisible()]
+    assert [d.windowTitle() for d in dialogs] == ["首选项"]
+    assert dialogs[0].editors["language"].currentData() == "zh"
+    assert dialogs[0].findChild(QWidget, options=Qt.FindChildOption.FindDirectChildrenOnly) is not None
+    dialogs[0].close()
+    assert studio.controller.solid_mode.solids is solids and solids.built == built
+    assert studio.controller.solid_mode.mode == "gear" and studio.window.solid_panel.section is not None
+    qtbot.waitUntil(lambda: [p.key for p in studio.window.area.grid.panels] == ["solid"], timeout=10_000)
+    qtbot.wait(100)
+    assert studio.window.area.grid.viewport.look.eye == pytest.approx(eye)
+    studio.controller.solid_mode.set_mode("flanks")
+    qtbot.waitUntil(lambda: len(studio.window.area.grid.panels) == 3, timeout=10_000)
+
+
+def test_a_language_chosen_while_the_parts_are_loaded(open_studio, qtbot) -> None:
+    studio = open_studio()
+    qtbot.waitSignal(studio.loader.loaded, timeout=PATIENCE_MS, check_params_cb=lambda s: s == "worker").wait()
+    choose(studio, qtbot, "de")
+    qtbot.waitUntil(lambda: studio.loader.has_finished and complete(studio), timeout=PATIENCE_MS)
+    assert studio.window.area.grid is not None
+    qtbot.wait(300)
+    assert not left_over(studio, "de")
