@@ -114,7 +114,7 @@ class GearTheory:
             faces[flank.name] = flank.deviation
             faces[f"{flank.name} fillet"] = partial(self._from_fillet, side)
             if "meridian" in self.profile.below(side):
-                faces[f"{flank.name} meridian"] = flank.deviation
+                faces[f"{flank.name} meridian"] = partial(self._from_straight, side)
         faces |= {"tip": self._from_tip, "root": self._from_root, "end": self._from_end}
         if self.outline is not None:
             faces["body"] = self._from_body
@@ -128,12 +128,12 @@ class GearTheory:
         rho, delta, phi = _spherical(points)
         member = self.member
         sign = member.hand if side == "concave" else -member.hand
-        foot, base = self.profile.foot_angle(sign, self._place(rho, delta)), self.profile.flank(sign).member.base_angle
-        has_meridian = "meridian" in self.profile.below(sign)
+        place = self._place(rho, delta)
+        foot, flank = self.profile.foot_angle(sign, place), self.profile.flank_foot(sign, place)
         low, high = {
             "fillet": (np.zeros_like(foot), foot),
-            "meridian": (foot, np.full_like(foot, base)),
-            "": (np.maximum(foot, base) if has_meridian else foot, np.full_like(foot, np.pi)),
+            "meridian": (foot, flank),
+            "": (np.maximum(foot, flank), np.full_like(foot, np.pi)),
         }[word]
         slack = _INSIDE * (member.tip_angle - member.root_angle)
         beside = sign * _wrapped(phi - member.lengthwise.azimuth(rho))
@@ -143,6 +143,11 @@ class GearTheory:
         """From the circle of theory 6 on the unit sphere, times rho."""
         rho, delta, phi = _spherical(points)
         return self.profile.off_fillet(side, rho, delta, phi - self.member.lengthwise.azimuth(rho))
+
+    def _from_straight(self, side: int, points: Floats) -> Floats:
+        """From the great circle between fillet and flank on the unit sphere, times rho."""
+        rho, delta, phi = _spherical(points)
+        return self.profile.off_straight(side, rho, delta, phi - self.member.lengthwise.azimuth(rho))
 
     def _from_tip(self, points: Floats) -> Floats:
         rho, delta, _ = _spherical(points)

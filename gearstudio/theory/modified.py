@@ -195,7 +195,7 @@ def conjugate_on(member: MemberGeometry, side: int) -> ConjugateFlank:
     flank = pinion_flank(member.hypoid, member.hypoid.flank_name("pinion", side))
     if relief is None:
         return replace(flank, member=own)
-    return ModifiedConjugate(own, side, flank.envelope, relief=relief)
+    return ModifiedConjugate(own, side, flank.envelope, alike=flank.alike, relief=relief)
 
 
 def relief_on(member: MemberGeometry, side: int) -> FlankRelief | None:

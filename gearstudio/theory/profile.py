@@ -186,6 +186,19 @@ class ToothProfile:
         """See `Profile`."""
         return np.full_like(rho_u, self.fillet.foot_angle)
 
+    def flank_foot(self, side: int, rho_u: Floats) -> Floats:
+        """See `Profile`."""
+        fillet = self.fillet
+        return np.full_like(rho_u, self.member.base_angle if fillet.on_meridian else fillet.foot_angle)
+
+    def off_straight(self, side: int, rho: Floats, delta: Floats, phi: Floats) -> Floats:
+        """See `Profile`."""
+        m = self.member
+        start = m.half_tooth_azimuth + float(involute_azimuth(m.pitch_angle, m.base_angle))
+        across = side * (phi - self.shift(side, rho, delta)) - start
+        along = rho * m.lengthwise.azimuth_slope(rho) * np.sin(delta)
+        return np.asarray(rho * np.arcsin(np.sin(delta) * np.sin(across)) / np.hypot(1.0, along))
+
     def off_fillet(self, side: int, rho: Floats, delta: Floats, phi: Floats) -> Floats:
         """See `Profile`."""
         turned = phi - self.shift(side, rho, delta)

@@ -38,7 +38,10 @@ class Profile(Protocol):
         ...
 
     def below(self, side: int) -> tuple[Segment, ...]:
-        """Faces between root and flank, from the root up: ``fillet``, ``meridian``."""
+        """Faces between root and flank, from the root up: ``fillet``, ``meridian``.
+
+        The last is a great circle in every section, be it a meridian or the tangent of a flank that ends above it.
+        """
         ...
 
     def flank(self, side: int) -> Flank:
@@ -63,6 +66,14 @@ class Profile(Protocol):
 
     def foot_angle(self, side: int, rho_u: Floats) -> Floats:
         """Polar angle where the fillet ends [rad]."""
+        ...
+
+    def flank_foot(self, side: int, rho_u: Floats) -> Floats:
+        """Polar angle where the flank begins [rad]."""
+        ...
+
+    def off_straight(self, side: int, rho: Floats, delta: Floats, phi: Floats) -> Floats:
+        """Distance of points from the great circle of ``meridian``, positive beyond the metal [mm]; phi as below."""
         ...
 
     def off_fillet(self, side: int, rho: Floats, delta: Floats, phi: Floats) -> Floats:

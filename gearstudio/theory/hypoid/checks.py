@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
+from functools import lru_cache
 from math import asin, degrees, floor, log10, pi, sin
 
 from gearstudio.theory.hypoid.exact import STEEPEST_WHEEL, exact_cones
-from gearstudio.theory.hypoid.inputs import HypoidError, HypoidInput
+from gearstudio.theory.hypoid.inputs import DepthInput, HypoidError, HypoidInput
 from gearstudio.theory.hypoid.method1 import bevel_angles
 from gearstudio.theory.hypoid.pitch import PitchCones
 
@@ -16,13 +17,23 @@ _STEPS = 8
 
 
 def pitch_cones(given: HypoidInput) -> PitchCones:
-    """Exact pitch cones of a pair.
+    """Exact pitch cones of a pair; remembered, for pairs that differ in the profile of their teeth share them.
 
     Raises
     ------
     HypoidError
         There are none, the wheel's cone is too flat, or a tooth would lean against its hand.
     """
+    return _of_size(
+        replace(
+            given, pressure_angle_deg=20.0, limit_pressure_angle_factor=1.0, backlash=0.0, fillet_factor=0.0,
+            ends="sphere", depth=DepthInput(),
+        )
+    )  # fmt: skip
+
+
+@lru_cache(maxsize=64)
+def _of_size(given: HypoidInput) -> PitchCones:
     _refuse_flat_wheel(given)
     _refuse_wide_face(given)
     cones = exact_cones(given)

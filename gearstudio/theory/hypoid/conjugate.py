@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
-from functools import cached_property
+from dataclasses import dataclass, field, replace
+from functools import cached_property, lru_cache
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -28,6 +28,7 @@ _SECOND_ORDER = 3e-7
 """Distances [of rho] whose first value, exact to second order, is right to 1e-13."""
 _STEP = 2e-3
 _BEYOND, _BELOW = 0.25, 0.05
+_KEPT = 64
 
 
 @dataclass(frozen=True)
@@ -48,6 +49,8 @@ class ConjugateFlank:
         flank on below the start of contact, towards the root.
     lower : StartOfContact or None
         Another lower edge, as that of a fillet.
+    alike : ConjugateFlank or None
+        A flank of the same shape, whose start of contact and guesses serve this one too.
     """
 
     member: MemberGeometry
@@ -55,6 +58,7 @@ class ConjugateFlank:
     envelope: Envelope
     raised: float = 0.0
     lower: StartOfContact | None = None
+    alike: ConjugateFlank | None = field(default=None, repr=False, compare=False)
 
     @property
     def name(self) -> FlankName:
@@ -235,7 +239,7 @@ class ConjugateFlank:
     def _start(self) -> StartOfContact:
         if self.lower is not None:
             return self.lower
-        return start_of_contact(self.envelope, self.member, self.raised)
+        return start_of_contact(self.envelope, self.member, self.raised) if self.alike is None else self.alike._start
 
     @cached_property
     def _below(self) -> float:
@@ -251,8 +255,8 @@ class ConjugateFlank:
 
     def generating(self, rho: Floats, delta: Floats) -> tuple[Floats, Floats]:
         """Natural coordinates at distances from the pitch apex [mm] and polar angles [rad]; raises as `coordinates`."""
-        m = self.member
-        guess = None if self._guess is None else self._guess.at(*self._shares(rho, delta))
+        m, like = self.member, self.alike or self
+        guess = None if like._guess is None else like._guess.at(*like._shares(rho, delta))
         return generating_point(self.envelope, rho, delta, m.lengthwise.mean_cone_distance, m.pitch_angle, guess)
 
     @cached_property
@@ -284,8 +288,9 @@ class ConjugateFlank:
         return m.cone_distance(self._end_distance(v), delta), delta
 
 
+@lru_cache(maxsize=_KEPT)
 def envelope(pair: HypoidPair, side: int) -> Envelope:
-    """The envelope that the wheel's flank on a side makes of the pinion's."""
+    """The envelope that the wheel's flank on a side makes of the pinion's; remembered."""
     wheel = wheel_flank(pair, pair.flank_name("wheel", side))
     full = np.pi / pair.given.wheel_teeth - pair.half_space_azimuth
     generator = InvoluteFlank(replace(wheel.member, half_tooth_azimuth=full), side)
@@ -297,10 +302,18 @@ def wheel_flank(pair: HypoidPair, name: FlankName) -> InvoluteFlank:
     return InvoluteFlank(pair.member("wheel", name), pair.side("wheel", name))
 
 
-def pinion_flank(pair: HypoidPair, name: FlankName, raised: float = 0.0) -> ConjugateFlank:
-    """The pinion's conjugate flank, not looked at for undercut: `soundness.sound_pinion_flank` refuses that."""
+@lru_cache(maxsize=_KEPT)
+def _shape(pair: HypoidPair, name: FlankName, raised: float) -> ConjugateFlank:
+    """The flank of a pair; of those that differ in thickness and fillets alone one has the tables of all."""
     side = pair.side("pinion", name)
     return ConjugateFlank(pair.member("pinion", name), side, envelope(pair, side), raised)
+
+
+def pinion_flank(pair: HypoidPair, name: FlankName, raised: float = 0.0) -> ConjugateFlank:
+    """The pinion's conjugate flank, not looked at for undercut: `soundness.sound_pinion_flank` refuses that."""
+    side, bare = pair.side("pinion", name), replace(pair, given=replace(pair.given, backlash=0.0, fillet_factor=0.0))
+    flank = ConjugateFlank(pair.member("pinion", name), side, envelope(pair, side), raised)
+    return replace(flank, alike=_shape(bare, name, raised))
 
 
 def _difference(values: list[Floats], step: float) -> Floats:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -16,6 +16,7 @@ from gearstudio.theory.hypoid.conjugate import ConjugateFlank
 from gearstudio.theory.hypoid.edge import StartOfContact
 from gearstudio.theory.hypoid.fillets import BEYOND, Circle, places
 from gearstudio.theory.hypoid.modified import ModifiedConjugate
+from gearstudio.theory.hypoid.straight import Tangent, Touched
 from gearstudio.theory.hypoid.undercut import LEAST_AREA_RATIO
 from gearstudio.theory.relief import FlankRelief
 from gearstudio.theory.vectors import dot, quarter
@@ -28,6 +29,24 @@ _STEPS = 20
 _ACCURACY = 1e-8
 """Last step of a root [rad]: the next would be nearly its square."""
 _LOWEST = (0.15, 0.25, 0.35, 0.5, 0.65, 0.8, 1.0)
+_SAME = 1e-6
+
+
+@dataclass(frozen=True)
+class _Solved:
+    """Circles at nodes along the face, or the Chebyshev coefficients of them, and where the flank is touched."""
+
+    radius: Floats
+    centre_azimuth: Floats
+    foot_angle: Floats
+    touched: Touched
+
+    def fitted(self, nodes: Floats) -> _Solved:
+        """The coefficients."""
+        t = self.touched
+        values = np.stack([self.radius, self.centre_azimuth, self.foot_angle, t.angle, t.azimuth, t.lean], axis=-1)
+        radius, azimuth, foot, *touched = chebyshev.chebfit(nodes, values, len(nodes) - 1).T
+        return _Solved(radius, azimuth, foot, Touched(*touched))
 
 
 @dataclass(frozen=True)
@@ -43,24 +62,51 @@ class ConjugateSide:
         the flank at the lowest place where it is regular.
     like : ConjugateSide or None
         Of a shorter face with the same middle, whose fillet goes on here.
+    on_tangent : bool
+        Whether the circle has its radius all the same, and touches the tangent of that lowest place below the flank.
     """
 
     whole: ConjugateFlank
     radius: float
     like: ConjugateSide | None = None
+    on_tangent: bool = False
+
+    @cached_property
+    def straight(self) -> Tangent | None:
+        """See `FilletSide`."""
+        return Tangent(self._touched, lambda rho_u: self.circle(rho_u).foot_angle) if self.on_tangent else None
 
     @property
-    def on_meridian(self) -> bool:
-        """Never."""
-        return False
+    def is_larger(self) -> bool:
+        """Whether the circle is larger than was asked for."""
+        return bool(self._series.radius[0] > (1 + _SAME) * self.radius)
 
     @cached_property
     def flank(self) -> ConjugateFlank:
         """See `FilletSide`."""
         if self.like is None:
-            return replace(self.whole, lower=StartOfContact(self._series.foot_angle, BEYOND))
+            return replace(self.whole, lower=StartOfContact(self._lower, BEYOND))
         longer = self.whole.member.face_width / self.like.whole.member.face_width
-        return replace(self.whole, lower=StartOfContact(self.like._series.foot_angle, (0.5 + BEYOND) / longer - 0.5))
+        return replace(self.whole, lower=StartOfContact(self.like._lower, (0.5 + BEYOND) / longer - 0.5))
+
+    def smaller(self, share: float) -> ConjugateSide:
+        """See `FilletSide`."""
+        return replace(self, radius=share * self.radius)
+
+    def extended(self, member: MemberGeometry) -> ConjugateSide:
+        """See `FilletSide`."""
+        return replace(self, whole=replace(self.flank, member=member, lower=None, alike=None), like=self)
+
+    @property
+    def _lower(self) -> Floats:
+        """Chebyshev coefficients of the polar angle at which the flank begins."""
+        return self._series.touched.angle if self.on_tangent else self._series.foot_angle
+
+    def _touched(self, rho_u: Floats) -> Touched:
+        if self.like is not None:
+            return self.like._touched(rho_u)
+        s = self._series.touched
+        return Touched(*chebyshev.chebval(self._along(rho_u), np.stack([s.angle, s.azimuth, s.lean], axis=-1)))
 
     def circle(self, rho_u: Floats) -> Circle:
         """See `FilletSide`."""
@@ -74,10 +120,6 @@ class ConjugateSide:
     def tip_azimuth(self, rho_u: Floats) -> Floats:
         """See `FilletSide`."""
         return np.asarray(chebyshev.chebval(self._along(rho_u), self._tip), dtype=np.float64)
-
-    def start_azimuth(self) -> float:
-        """There is no meridian."""
-        raise NotImplementedError
 
     @property
     def relief(self) -> FlankRelief | None:
@@ -106,65 +148,65 @@ class ConjugateSide:
         return (_shares(self.whole.member, rho_u) - 0.5) / (0.5 + BEYOND)
 
     @cached_property
-    def _series(self) -> Circle:
-        """Chebyshev coefficients of the circles over the face and a little beyond."""
-        nodes = chebyshev.chebpts1(_NODES)
-        found = self._solved(places(self.whole.member, 0.5 + (0.5 + BEYOND) * nodes))
-
-        def series(values: Floats) -> Floats:
-            return np.asarray(chebyshev.chebfit(nodes, values, _NODES - 1), dtype=np.float64)
-
-        return Circle(series(found.radius), found.centre_angle, series(found.centre_azimuth), series(found.foot_angle))
-
-    def _solved(self, rho_u: Floats) -> Circle:
-        m = self.whole.member
+    def _series(self) -> _Solved:
+        """Chebyshev coefficients of what is solved over the face and a little beyond."""
+        nodes, m = chebyshev.chebpts1(_NODES), self.whole.member
+        rho_u = places(m, 0.5 + (0.5 + BEYOND) * nodes)
         root, start = m.limit_angle(m.root_limit, rho_u), self.whole.limits(_shares(m, rho_u))[0]
-        wanted = np.full_like(rho_u, self.radius)
         if np.any(start <= root):
             raise GeometryError(f"contact on the {m.name}'s {self.whole.name} flank starts below its root cone")
-        try:
-            return self._touching_flank(rho_u, root, start, wanted)
-        except GeometryError:
-            return self._touching_lowest(rho_u, root, start, wanted)
+        return self._solved(rho_u, root, start).fitted(nodes)
 
-    def _touching_flank(self, rho_u: Floats, root: Floats, start: Floats, radius: Floats) -> Circle:
-        """Circles of a radius: the foot is sought on the flank."""
+    def _solved(self, rho_u: Floats, root: Floats, start: Floats) -> _Solved:
+        if self.on_tangent:
+            return self._touching_tangent(root, next(self._regular(rho_u, root, start)))
+        try:
+            return self._touching_flank(rho_u, root, start)
+        except GeometryError:
+            return self._touching_lowest(root, self._regular(rho_u, root, start))
+
+    def _touching_flank(self, rho_u: Floats, root: Floats, start: Floats) -> _Solved:
+        """Circles of the radius: the foot is sought on the flank."""
 
         def off(foot: Floats) -> Floats:
-            return self._centre(rho_u, foot, radius)[0] - root - radius
+            return self._on_flank(rho_u, foot).largest(root) - self.radius
 
-        foot = _secant(off, root + 0.6 * radius, root + 0.7 * radius)
+        foot = _secant(off, root + 0.6 * self.radius, root + 0.7 * self.radius)
         if np.any(foot > start) or np.any(foot < root):
             raise GeometryError(
                 f"a fillet of {self.radius * self.whole.member.outer_cone_distance:.4g} mm on the "
                 f"{self.whole.member.name} reaches into the {self.whole.name} flank that meets the wheel's tip"
             )
         self._require_regular(rho_u, foot, start)
-        centre, azimuth = self._centre(rho_u, foot, radius)
-        return Circle(radius, centre, azimuth, foot)
+        touched = self._on_flank(rho_u, foot)
+        return _Solved(np.full_like(foot, self.radius), touched.circle(self.radius, root)[0], foot, touched)
 
-    def _touching_lowest(self, rho_u: Floats, root: Floats, start: Floats, least: Floats) -> Circle:
+    def _touching_lowest(self, root: Floats, candidates: Iterator[Touched]) -> _Solved:
         """Circles that touch the flank at the lowest place where it is regular."""
+        for touched in candidates:
+            radius = touched.largest(root)
+            if np.all(radius >= self.radius):
+                return _Solved(radius, touched.circle(radius, root)[0], touched.angle, touched)
+        m = self.whole.member
+        raise GeometryError(
+            f"no fillet of {self.radius * m.outer_cone_distance:.4g} mm joins root and start of contact on the "
+            f"{m.name}'s {self.whole.name} flank; use a smaller fillet factor or a larger clearance"
+        )
+
+    def _touching_tangent(self, root: Floats, touched: Touched) -> _Solved:
+        """Circles of the radius that touch the tangent of the lowest place where the flank is regular."""
+        azimuth, foot = touched.circle(self.radius, root)
+        return _Solved(np.full_like(foot, self.radius), azimuth, foot, touched)
+
+    def _regular(self, rho_u: Floats, root: Floats, start: Floats) -> Iterator[Touched]:
+        """Places on the flank, from the root up, above which it is regular."""
         for share in _LOWEST:
             foot = root + share * (start - root)
             try:
                 self._require_regular(rho_u, foot, start)
             except GeometryError:
                 continue
-
-            def off(radius: Floats, foot: Floats = foot) -> Floats:
-                return self._centre(rho_u, foot, radius)[0] - root - radius
-
-            radius = _secant(off, 1.5 * (foot - root), 2.0 * (foot - root))
-            if np.any(radius < least):
-                continue
-            centre, azimuth = self._centre(rho_u, foot, radius)
-            return Circle(radius, centre, azimuth, foot)
-        m = self.whole.member
-        raise GeometryError(
-            f"no fillet of {float(least[0]) * m.outer_cone_distance:.4g} mm joins root and start of contact on the "
-            f"{m.name}'s {self.whole.name} flank; use a smaller fillet factor or a larger clearance"
-        )
+            yield self._on_flank(rho_u, foot)
 
     def _require_regular(self, rho_u: Floats, foot: Floats, start: Floats) -> None:
         share = np.array([[0.0], [0.5]])
@@ -174,16 +216,10 @@ class ConjugateSide:
         if np.any(p.area_ratio <= LEAST_AREA_RATIO):
             raise GeometryError("the flank is undercut below the start of contact")
 
-    def _centre(self, rho_u: Floats, foot: Floats, radius: Floats) -> tuple[Floats, Floats]:
-        """Polar angle and azimuth of the centres of circles that touch the flank at polar angles."""
+    def _on_flank(self, rho_u: Floats, foot: Floats) -> Touched:
+        """Places of the flank at polar angles."""
         phi, slope = self._line(rho_u, foot)
-        lean = np.sin(foot) * slope
-        norm = np.hypot(1.0, lean)
-        down, onward = -lean / norm, 1 / norm
-        cos_r, sin_r, cos_f, sin_f = np.cos(radius), np.sin(radius), np.cos(foot), np.sin(foot)
-        height = cos_r * cos_f - sin_r * down * sin_f
-        out = cos_r * sin_f + sin_r * down * cos_f
-        return np.arctan2(np.hypot(out, sin_r * onward), height), phi + np.arctan2(sin_r * onward, out)
+        return Touched(foot, phi, np.sin(foot) * slope)
 
     def _line(self, rho_u: Floats, delta: Floats) -> tuple[Floats, Floats]:
         """Azimuth of the flank in its sections, towards the space, and its slope over the polar angle."""

@@ -14,10 +14,10 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from gearstudio.errors import GeometryError
 from gearstudio.theory.cones import MemberGeometry
 from gearstudio.theory.flank import InvoluteFlank
 from gearstudio.theory.flank_protocol import Flank
+from gearstudio.theory.hypoid.straight import Meridian, Straight
 from gearstudio.theory.involute import azimuth_from_arc, involute_azimuth, polar_angle, roll_arc
 from gearstudio.theory.modified import ModifiedFlank, azimuth_shift, azimuth_shift_slope
 from gearstudio.theory.relief import FlankRelief
@@ -26,6 +26,8 @@ Floats = NDArray[np.float64]
 
 BEYOND = 0.06
 """Share of the face width beyond either end for which fillets are known."""
+_ALONG = 9
+_CLEAR = 0.01
 
 
 @dataclass(frozen=True)
@@ -46,7 +48,7 @@ class FilletSide(Protocol):
 
     @property
     def radius(self) -> float:
-        """Of the circle that was asked for [rad]."""
+        """Of the circle [rad]; conjugate flanks may have larger ones."""
         ...
 
     @property
@@ -55,8 +57,8 @@ class FilletSide(Protocol):
         ...
 
     @property
-    def on_meridian(self) -> bool:
-        """Whether the fillet touches the meridian below the base cone instead of the flank."""
+    def straight(self) -> Straight | None:
+        """What the fillet touches below the flank, where it does not touch the flank itself."""
         ...
 
     def circle(self, rho_u: Floats) -> Circle:
@@ -67,10 +69,6 @@ class FilletSide(Protocol):
         """Half the tooth's azimuth at its tip [rad], towards the space."""
         ...
 
-    def start_azimuth(self) -> float:
-        """Azimuth of the meridian below the base cone [rad], towards the space."""
-        ...
-
     @property
     def relief(self) -> FlankRelief | None:
         """Micro-geometry of the flank."""
@@ -78,6 +76,14 @@ class FilletSide(Protocol):
 
     def turn(self, rho: Floats, delta: Floats) -> tuple[Floats, Floats]:
         """By how much micro-geometry turns the flank at cone distances and polar angles, and its slope over these."""
+        ...
+
+    def smaller(self, share: float) -> FilletSide:
+        """The same with a share of the radius."""
+        ...
+
+    def extended(self, member: MemberGeometry) -> FilletSide:
+        """The same teeth on a longer and higher member."""
         ...
 
 
@@ -91,10 +97,13 @@ class InvoluteSide:
         Of any foot; micro-geometry turns the fillet, which is that of the flank without.
     radius : float
         Of the circle [rad].
+    on_meridian : bool
+        Whether the circle touches the meridian below the base cone.
     """
 
     whole: InvoluteFlank
     radius: float
+    on_meridian: bool
 
     @cached_property
     def flank(self) -> InvoluteFlank:
@@ -104,17 +113,11 @@ class InvoluteSide:
         return replace(self.whole, foot=foot)
 
     @cached_property
-    def on_meridian(self) -> bool:
-        """See `FilletSide`; GeometryError where it is so at one end only."""
-        at = places(self.whole.member, np.linspace(-BEYOND, 1 + BEYOND, 9))
-        arc = self._arc(self._centre_angle(at))
-        low = arc < self.radius
-        if np.any(low) and not np.all(low):
-            raise GeometryError(
-                f"the {self.whole.member.name}'s {self.whole.name} flank meets its base cone along its fillet; "
-                "use another fillet factor"
-            )
-        return bool(low[0])
+    def straight(self) -> Meridian | None:
+        """See `FilletSide`."""
+        if not self.on_meridian:
+            return None
+        return Meridian(self.whole.member.base_angle, self.start_azimuth(), lambda rho_u: self.circle(rho_u).foot_angle)
 
     def circle(self, rho_u: Floats) -> Circle:
         """See `FilletSide`."""
@@ -135,7 +138,7 @@ class InvoluteSide:
         return np.asarray(self.start_azimuth() - involute_azimuth(m.limit_angle(m.tip_limit, rho_u), m.base_angle))
 
     def start_azimuth(self) -> float:
-        """See `FilletSide`."""
+        """Azimuth at which the flank meets its base cone [rad], towards the space."""
         m = self.whole.member
         return m.half_tooth_azimuth + float(involute_azimuth(m.pitch_angle, m.base_angle))
 
@@ -150,6 +153,14 @@ class InvoluteSide:
         assert self.relief is not None
         slope = azimuth_shift_slope(member, side, self.relief, rho, delta)
         return azimuth_shift(member, side, self.relief, rho, delta), slope
+
+    def smaller(self, share: float) -> InvoluteSide:
+        """See `FilletSide`."""
+        return involute_side(self.whole, share * self.radius)
+
+    def extended(self, member: MemberGeometry) -> InvoluteSide:
+        """See `FilletSide`."""
+        return replace(self, whole=replace(self.flank, member=member, foot=None))
 
     def _centre_angle(self, rho_u: Floats) -> Floats:
         m = self.whole.member
@@ -171,6 +182,23 @@ class _Foot:
         return self.circle(np.asarray(rho_u, dtype=np.float64)).foot_angle
 
     at_back_cone = at_sphere
+
+
+def involute_side(whole: InvoluteFlank, radius: float) -> InvoluteSide:
+    """The fillet of a radius below an involute flank, all along its face on the flank or all along on the meridian.
+
+    Notes
+    -----
+    The circle that touches both where the base cone is has tan(radius) = (cos(delta_f) - cos(delta_b)) / sin(delta_f).
+    Where the radius lies between the least and the largest of these along the face, the nearer of them is taken.
+    """
+    m = whole.member
+    root = m.limit_angle(m.root_limit, places(m, np.linspace(-BEYOND, 1 + BEYOND, _ALONG)))
+    limits = np.arctan(np.maximum(np.cos(root) - np.cos(m.base_angle), 0.0) / np.sin(root))
+    least, most = float(limits.min()) * (1 - _CLEAR), float(limits.max()) * (1 + _CLEAR)
+    if least < radius < most:
+        radius = least if radius**2 < least * most else most
+    return InvoluteSide(whole, radius, radius <= least)
 
 
 def places(member: MemberGeometry, v: Floats) -> Floats:

@@ -39,7 +39,7 @@ class ModifiedConjugate(ConjugateFlank):
     @property
     def plain(self) -> ConjugateFlank:
         """The flank without micro-geometry."""
-        return ConjugateFlank(self.member, self.side, self.envelope, self.raised, self.lower)
+        return ConjugateFlank(self.member, self.side, self.envelope, self.raised, self.lower, self.alike)
 
     def turning(self, psi: ArrayLike, rho: ArrayLike) -> Floats:
         """Azimuth by which metal taken off turns the point at natural coordinates [rad/mm]."""

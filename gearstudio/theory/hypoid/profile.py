@@ -15,7 +15,8 @@ from gearstudio.theory.flank import InvoluteFlank
 from gearstudio.theory.flank_protocol import Flank
 from gearstudio.theory.hypoid.conjugate import ConjugateFlank
 from gearstudio.theory.hypoid.conjugate_fillets import ConjugateSide
-from gearstudio.theory.hypoid.fillets import BEYOND, FilletSide, InvoluteSide
+from gearstudio.theory.hypoid.fillets import BEYOND, FilletSide, involute_side
+from gearstudio.theory.hypoid.straight import off_great_circle
 from gearstudio.theory.section import Segment, Shift, faded, off_circle, on_circle
 
 Floats = NDArray[np.float64]
@@ -23,8 +24,8 @@ Floats = NDArray[np.float64]
 _PLACES = 9
 _LEAST_ROOT = 0.02
 """Part of the pitch that fillets leave between them at least."""
-_SMALLER = 0.9
-_SAME = 1e-6
+_FIRST_STEP, _LEAST_STEP, _MOST_STEP = 0.95, 0.5, 0.99
+_SURPLUS, _FLAT = 1.02, 1e-6
 _ATTEMPTS = 12
 
 
@@ -50,11 +51,11 @@ class HypoidProfile:
     @property
     def fillet_radius(self) -> float:
         """R_f at the heel as used [mm]: at most what was asked for."""
-        return float(self.sides[1].radius * self.member.outer_cone_distance)
+        return float(min(side.radius for side in self.sides.values()) * self.member.outer_cone_distance)
 
     def below(self, side: int) -> tuple[Segment, ...]:
         """See `Profile`."""
-        return ("fillet", "meridian") if self.sides[side].on_meridian else ("fillet",)
+        return ("fillet",) if self.sides[side].straight is None else ("fillet", "meridian")
 
     def flank(self, side: int) -> Flank:
         """See `Profile`."""
@@ -72,7 +73,7 @@ class HypoidProfile:
         m, fillet = self.member, self.sides[side]
         rho_u = self._near(rho, delta)
         root = m.limit_angle(m.root_limit, rho_u)
-        low = np.full(rho.shape, fillet.flank.member.base_angle) if fillet.on_meridian else self.foot_angle(side, rho_u)
+        low = self.flank_foot(side, rho_u)
         value, slope = fillet.turn(rho, np.maximum(delta, low))
         return faded(value, slope, delta, root, low)
 
@@ -83,10 +84,10 @@ class HypoidProfile:
 
     def rising(self, name: Segment, side: int, x: Floats, rho_u: Floats) -> tuple[Floats, Floats]:
         """See `Profile`."""
-        if name == "meridian":
-            foot = self.sides[side].circle(rho_u).foot_angle
-            delta = foot + x * (self.flank(side).member.base_angle - foot)
-            return delta, np.full_like(delta, side * self.sides[side].start_azimuth())
+        straight = self.sides[side].straight
+        if name == "meridian" and straight is not None:
+            delta, phi = straight.points(x, rho_u)
+            return delta, side * phi
         circle = self.sides[side].circle(rho_u)
         delta, phi = on_circle(x, circle.radius, circle.centre_angle, circle.foot_angle)
         return delta, side * (circle.centre_azimuth + phi)
@@ -104,6 +105,18 @@ class HypoidProfile:
         """See `Profile`."""
         return self.sides[side].circle(rho_u).foot_angle
 
+    def flank_foot(self, side: int, rho_u: Floats) -> Floats:
+        """See `Profile`."""
+        straight = self.sides[side].straight
+        return self.foot_angle(side, rho_u) if straight is None else straight.top(rho_u)
+
+    def off_straight(self, side: int, rho: Floats, delta: Floats, phi: Floats) -> Floats:
+        """See `Profile`."""
+        straight = self.sides[side].straight
+        assert straight is not None
+        pole, turned = straight.pole(self._near(rho, delta)), side * (phi - self.shift(side, rho, delta))
+        return off_great_circle(pole, rho, delta, turned, rho * self.member.lengthwise.azimuth_slope(rho))
+
     def off_fillet(self, side: int, rho: Floats, delta: Floats, phi: Floats) -> Floats:
         """See `Profile`."""
         circle = self.sides[side].circle(self._near(rho, delta))
@@ -116,16 +129,18 @@ class HypoidProfile:
         m, reach = self.member, BEYOND * self.member.face_width
         return np.clip(m.end_distance(rho, delta), m.inner_cone_distance - reach, m.outer_cone_distance + reach)
 
+    def root_left(self, places: Floats) -> float:
+        """Least azimuth that fillets leave between them at places along the face, over what they must leave [rad]."""
+        _, first, last = self.across("root", places)
+        return float(np.min(last - first)) - _LEAST_ROOT * self.member.pitch
+
     def extended(self, member: MemberGeometry) -> HypoidProfile:
         """See `Profile`."""
         reach = {"outer_cone_distance", "face_width", "fillet_radius", "tip_limit"}
         changes = {name: getattr(member, name) for name in reach}
         sides: dict[int, FilletSide] = {}
         for number, side in self.sides.items():
-            flank = _on(side.flank, replace(side.flank.member, **changes))
-            sides[number] = _side(flank, side.radius)
-            if isinstance(flank, ConjugateFlank) and isinstance(side, ConjugateSide):
-                sides[number] = ConjugateSide(flank, side.radius, side)
+            sides[number] = side.extended(replace(side.flank.member, **changes))
         return HypoidProfile(member, sides)
 
     def unmodified(self, flanks: dict[int, Flank]) -> HypoidProfile:
@@ -137,27 +152,44 @@ class HypoidProfile:
 def hypoid_profile(flanks: Mapping[int, Flank]) -> HypoidProfile:
     """The profile between two flanks by side.
 
+    Where the fillet does not touch a conjugate flank, for that is undercut below the start of contact, a larger one
+    may; where those leave no root, the tangent of the flank goes on down to fillets of the radius asked for. Fillets
+    that leave no root even so become smaller.
+
     Raises
     ------
     GeometryError
         Fillets do not join flanks and root, neighbouring fillets leave no root, or a tooth is pointed.
     """
     member = flanks[1].member
-    radius = member.fillet_angle
+    places = member.inner_cone_distance + np.linspace(0.0, 1.0, _PLACES) * member.face_width
+    profile = HypoidProfile(member, {side: _side(flank, member.fillet_angle) for side, flank in flanks.items()})
+    if profile.root_left(places) < 0 and any(_is_larger(side) for side in profile.sides.values()):
+        profile = HypoidProfile(member, {number: _on_tangent(side) for number, side in profile.sides.items()})
+    profile = _with_root(profile, places)
+    _refuse_pointed(profile, places)
+    return profile
+
+
+def _with_root(profile: HypoidProfile, places: Floats) -> HypoidProfile:
+    """The profile, with fillets so small that they leave a root."""
+    left, share = profile.root_left(places), _FIRST_STEP
     for _ in range(_ATTEMPTS):
-        profile = HypoidProfile(member, {side: _side(flank, radius) for side, flank in flanks.items()})
-        places = member.inner_cone_distance + np.linspace(0.0, 1.0, _PLACES) * member.face_width
-        _, first, last = profile.across("root", places)
-        if np.min(last - first) >= _LEAST_ROOT * member.pitch:
-            _refuse_pointed(profile, places)
+        if left >= 0:
             return profile
-        radius *= _SMALLER
-    if any(np.any(side.circle(places).radius > (1 + _SAME) * side.radius) for side in profile.sides.values()):
-        raise GeometryError(
-            f"the {member.name}'s flanks are undercut so near the start of contact that the fillets below overlap; "
-            "use a smaller clearance factor, or a mean addendum factor that gives the pinion more profile shift"
-        )
-    raise GeometryError(f"the fillets of neighbouring {member.name} teeth overlap; use a smaller fillet factor")
+        profile = replace(profile, sides={n: side.smaller(share) for n, side in profile.sides.items()})
+        before, left = left, profile.root_left(places)
+        rise = max(left - before, _FLAT * profile.member.pitch)
+        share = min(max(1 + (1 - share) / share * _SURPLUS * left / rise, _LEAST_STEP), _MOST_STEP)
+    raise GeometryError(f"the fillets of neighbouring {profile.member.name} teeth overlap; use a smaller fillet factor")
+
+
+def _is_larger(side: FilletSide) -> bool:
+    return isinstance(side, ConjugateSide) and side.is_larger
+
+
+def _on_tangent(side: FilletSide) -> FilletSide:
+    return replace(side, on_tangent=True) if isinstance(side, ConjugateSide) and side.is_larger else side
 
 
 def _refuse_pointed(profile: HypoidProfile, places: Floats) -> None:
@@ -166,17 +198,9 @@ def _refuse_pointed(profile: HypoidProfile, places: Floats) -> None:
         raise GeometryError(f"the {profile.member.name}'s teeth are pointed below their face cone")
 
 
-def _on(flank: Flank, member: MemberGeometry) -> Flank:
-    """A flank continued on a longer and higher member."""
-    if isinstance(flank, ConjugateFlank):
-        return replace(flank, member=member, lower=None)
-    assert isinstance(flank, InvoluteFlank)
-    return replace(flank, member=member, foot=None)
-
-
 def _side(flank: Flank, radius: float) -> FilletSide:
     """The fillet of a radius [rad] below a flank."""
     if isinstance(flank, ConjugateFlank):
         return ConjugateSide(flank, radius)
     assert isinstance(flank, InvoluteFlank)
-    return InvoluteSide(flank, radius)
+    return involute_side(flank, radius)
