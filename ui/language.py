@@ -12,6 +12,7 @@ from ui.preferences import LANGUAGES, NAMES
 FOLDER = Path(__file__).parent / "translations"
 ENGLISH = "en"
 _QT = {"de": "qtbase_de", "zh": "qtbase_zh_CN"}
+_SPOKEN = "spoken language"
 log = logging.getLogger(__name__)
 
 
@@ -30,6 +31,12 @@ def chosen_language(settings: QSettings | None, asked: str | None = None) -> str
 def meant(choice: str) -> str:
     """The language that a choice in the preferences stands for; empty is the system's."""
     return choice or language_of_system(QLocale.system().uiLanguages())
+
+
+def spoken() -> str:
+    """The language that the application speaks now."""
+    application = QCoreApplication.instance()
+    return str((application.property(_SPOKEN) if application is not None else None) or ENGLISH)
 
 
 class Language:
@@ -51,6 +58,7 @@ class Language:
 
 def install(application: QCoreApplication, language: str) -> tuple[QTranslator, ...]:
     """Let the application speak a language (``"de"``, ``"zh"``; ``"en"`` needs nothing); before there is a window."""
+    application.setProperty(_SPOKEN, language)
     if language == ENGLISH:
         return ()
     made = []

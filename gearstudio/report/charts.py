@@ -16,7 +16,7 @@ _LEAST_UM = 1e-5
 
 def deviation_series(content: Content) -> bytes:
     """Deviation at 7 x 7 points of either flank, all methods and variants, the paper's means as lines."""
-    with figure(Frame(2.7, 1, 2, foot=0.36, left=0.68)) as (drawn, axes):
+    with figure(Frame(2.35, 1, 2, foot=0.36, left=0.68)) as (drawn, axes):
         for ax, flank in zip(axes[0], FLANKS, strict=True):
             for method in METHOD_INFOS:
                 for variant in VARIANTS:

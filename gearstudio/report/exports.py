@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from datetime import datetime
 from pathlib import Path
 
+from gearstudio.catalogue import METHOD_INFOS
 from gearstudio.checks import FaceCheck
 from gearstudio.design import Design
 from gearstudio.errors import FileError
@@ -14,7 +15,7 @@ from gearstudio.exchange.record import SUFFIX, ExportRecord, checksum, read_reco
 from gearstudio.exchange.verify import different_fields
 from gearstudio.files import read_bytes
 from gearstudio.report.blocks import Block, Table, Text, rows
-from gearstudio.report.language import MEMBERS_SAID, moment, number, told, tr
+from gearstudio.report.language import MEMBERS_SAID, inline, moment, number, told, tr
 from gearstudio.words import noted
 
 _MOST = 60
@@ -108,7 +109,8 @@ def worst(faces: tuple[FaceCheck, ...]) -> tuple[FaceCheck, ...]:
 def _what(record: ExportRecord) -> str:
     subject = record.subject
     part = tr(_PARTS.get(subject.part, subject.part))
-    return ", ".join((tr(subject.member), part, tr(subject.method), tr(subject.variant)))
+    method = next((inline(info.title) for info in METHOD_INFOS if info.id == subject.method), subject.method)
+    return ", ".join((tr(subject.member), part, method, tr(subject.variant)))
 
 
 def _face(face: FaceCheck) -> str:

@@ -1,13 +1,18 @@
 """The report in the window: sections, preview, stop, save, and what goes wrong on the way."""
 
+from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
+import numpy as np
 import pytest
 from PySide6.QtCore import QObject, QSize, Qt, Signal
 from pytestqt.qtbot import QtBot
 
+from gearstudio.analysis.measurement import MeasuredPoints
 from gearstudio.report.job import Reported, ReportJob
+from ui.analysis.measurement_data import Measurement, Source
 from ui.main_window import MainWindow
 from ui.reporting.dialog import ReportDialog
 from ui.reporting.reporting import Reporting
@@ -20,6 +25,7 @@ PNG = bytes.fromhex(
     "89504e470d0a1a0a0000000d4948445200000001000000010802000000907753de0000000c4944415478da63f8ffff3f0005fe02fe"
     "0d0a2db40000000049454e44ae426082"
 )
+FOUND: Any = SimpleNamespace(member="pinion", fit=(True, False))
 MADE = Reported(b"%PDF-1.7 made", (PNG, PNG, PNG))
 
 
@@ -103,6 +109,37 @@ def test_a_failure_stays_in_sight_and_the_last_pages_too(qtbot: QtBot, desk: Des
     desk.runner.job_failed.emit(desk.make(qtbot), "no room for the teeth", "")
     assert "no room for the teeth" in desk.dialog.trouble.text() and desk.dialog.trouble.isVisible()
     assert desk.dialog.pages.page_count == 3 and desk.dialog.make.isEnabled()
+
+
+def test_the_language_chosen_goes_with_the_job_and_warnings_are_told(qtbot: QtBot, desk: Desk) -> None:
+    assert desk.dialog.language.currentData() == "en", "the window's own at first"
+    desk.dialog.language.setCurrentIndex(desk.dialog.language.findData("zh"))
+    job = desk.make(qtbot)
+    assert job.language == "zh"
+    desk.runner.job_done.emit(job, replace(MADE, warnings=("no font was found",)))
+    assert desk.dialog.trouble.isVisible() and "no font" in desk.dialog.trouble.text()
+    assert desk.dialog.save.isEnabled()
+
+
+def test_measured_points_go_in_when_there_are_some(qtbot: QtBot, desk: Desk) -> None:
+    box = desk.dialog._boxes["measurement"]
+    assert not box.isEnabled() and "measurement" not in desk.make(qtbot).sections
+    desk.dialog.stop.click()
+    page = QObject()
+    page.measurement = Measurement(  # type: ignore[attr-defined]
+        Source(Path("/tmp/points.csv"), (MeasuredPoints(np.ones((3, 3))),), 1.5),
+        None,
+        FOUND,
+        (0,),  # type: ignore[arg-type]
+    )
+    page.panel = FOUND  # type: ignore[attr-defined]
+    desk.window.analysis.pages["measurement"] = page  # type: ignore[assignment]
+    desk.reporting.open()
+    assert box.isEnabled() and "points.csv" in box.toolTip()
+    job = desk.make(qtbot)
+    assert "measurement" in job.sections and job.measured is not None
+    assert (job.measured.member, job.measured.fit, job.measured.shift) == ("pinion", (True, False), 1.5)
+    del desk.window.analysis.pages["measurement"]
 
 
 def test_stopping_and_closing_end_the_work(qtbot: QtBot, desk: Desk) -> None:

@@ -23,8 +23,10 @@ from PySide6.QtWidgets import (
 
 from gearstudio.catalogue import MEMBERS
 from gearstudio.report.sections import SECTION_KEYS, SECTIONS
+from ui.language import spoken
+from ui.preferences import LANGUAGES
 from ui.reporting.pages_view import PagesView
-from ui.words import tr
+from ui.words import told, tr
 
 if TYPE_CHECKING:
     from gearstudio.report.job import Reported
@@ -38,15 +40,15 @@ class ReportDialog(QDialog):
 
     Signals
     -------
-    wanted(object, str)
-        Sections and the member whose maps are drawn: make the report.
+    wanted(object, str, str)
+        Sections, the member whose maps are drawn, and the language: make the report.
     cancelled()
         Stop making it.
     saved(object, object)
         A path and the PDF to write there.
     """
 
-    wanted = Signal(object, str)
+    wanted = Signal(object, str, str)
     cancelled = Signal()
     saved = Signal(object, object)
 
@@ -64,6 +66,13 @@ class ReportDialog(QDialog):
         for one in MEMBERS:
             self.member.addItem(tr(one.capitalize()), one)
         self.member.setCurrentIndex(MEMBERS.index(member) if member in MEMBERS else 0)
+        self.language = QComboBox()
+        self.language.setAccessibleName(tr("Language of the report"))
+        self.language.setToolTip(tr("The language that the report is written in"))
+        for code, title in LANGUAGES:
+            if code:
+                self.language.addItem(title, code)
+        self.language.setCurrentIndex(self.language.findData(spoken()))
         self.pages = PagesView()
         self.progress = QProgressBar()
         self.progress.setTextVisible(False)
@@ -94,13 +103,21 @@ class ReportDialog(QDialog):
 
     @property
     def sections(self) -> tuple[str, ...]:
-        """Keys of the ticked sections, in the order of the report."""
-        return tuple(key for key in SECTION_KEYS if self._boxes[key].isChecked())
+        """Keys of the ticked sections that there can be, in the order of the report."""
+        return tuple(key for key in SECTION_KEYS if self._boxes[key].isChecked() and self._boxes[key].isEnabled())
+
+    def show_measured(self, name: str) -> None:
+        """There are measured points of a file, or none."""
+        box = self._boxes["measurement"]
+        summary = tr(next(section.summary for section in SECTIONS if section.key == "measurement"))
+        box.setEnabled(bool(name))
+        box.setToolTip(f"{summary}: {name}" if name else tr("Open measured points on the page Measurement first"))
 
     def show_progress(self, stage: str, fraction: float) -> None:
         """The report is being made."""
         self._warn("")
-        self.stage.setText(stage[:1].upper() + stage[1:])
+        said = told(stage)
+        self.stage.setText(said[:1].upper() + said[1:])
         self.progress.setValue(round(100 * fraction))
         self._busy(True)
 
@@ -110,6 +127,7 @@ class ReportDialog(QDialog):
         self.pages.show_pages(made.pages)
         self.stage.setText(tr("{count} pages, {size:.1f} MB", count=len(made.pages), size=len(made.pdf) / 1e6))
         self._busy(False)
+        self._warn("\n".join(told(warning) for warning in made.warnings))
 
     def show_failure(self, text: str) -> None:
         """The report could not be made, or not be saved; the last one stays, and the reason until it is made again."""
@@ -153,6 +171,7 @@ class ReportDialog(QDialog):
             choices.addWidget(box)
         form = QFormLayout()
         form.addRow(tr("Maps and charts of"), self.member)
+        form.addRow(tr("Language"), self.language)
         choices.addSpacing(8)
         choices.addLayout(form)
         choices.addSpacing(8)
@@ -189,7 +208,7 @@ class ReportDialog(QDialog):
 
     def _make(self) -> None:
         self._remember()
-        self.wanted.emit(self.sections, self.member.currentData())
+        self.wanted.emit(self.sections, self.member.currentData(), self.language.currentData())
 
     def _save(self) -> None:
         if self._made is None:
@@ -206,5 +225,5 @@ class ReportDialog(QDialog):
             box.setChecked(key not in left_out)
 
     def _remember(self) -> None:
-        left_out = [key for key in SECTION_KEYS if key not in self.sections]
+        left_out = [key for key in SECTION_KEYS if not self._boxes[key].isChecked()]
         QSettings().setValue(f"{_SETTINGS}/left_out", ",".join(left_out))

@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QBuffer, QObject, QSize, QTimer, Signal
 from PySide6.QtGui import QImage
 
+from gearstudio.words import ENGLISH
+from ui.language import spoken
 from ui.words import tr
 
 if TYPE_CHECKING:
@@ -40,10 +43,12 @@ class ReportPictures(QObject):
         self._timer.timeout.connect(self._advance)
         self._pictures: list[tuple[str, bytes]] = []
         self._missing: list[str] = []
+        self._language = ENGLISH
 
-    def take(self) -> None:
-        """Begin; `taken` comes when all are there."""
+    def take(self, language: str) -> None:
+        """Begin, with titles in a language; `taken` comes when all are there."""
         self.stop()
+        self._language = language
         self._pictures, self._missing = [], []
         self._steps = self._all()
         self._timer.start()
@@ -64,6 +69,7 @@ class ReportPictures(QObject):
             self.taken.emit(tuple(self._pictures), tuple(self._missing))
 
     def _all(self) -> Iterator[None]:
+        from ui.views.appearance import Appearance
         from ui.views.pictures import PictureOptions, painted, stand_in
 
         grid, bar = self._window.area.grid, self._window.area.color_bar
@@ -72,6 +78,9 @@ class ReportPictures(QObject):
             return
         if self._solid_mode.mode == "flanks":
             copy = stand_in(grid, _VIEWS)
+            copy.show_appearance(replace(copy.appearance, ground=Appearance().ground))
+            copy.set_theme(False)
+            copy.set_titles(self._titles(copy))
             yield from self._one("views", copy, painted(copy, bar, PictureOptions(_SCALE)))
         else:
             self._missing.append(tr("views: the window shows solids and not the flanks"))
@@ -79,6 +88,24 @@ class ReportPictures(QObject):
         if pair is not None:
             options = PictureOptions(_SCALE, transparent=True, labels=False, scale_bar=False)
             yield from self._one("pair", pair, painted(pair, None, options))
+
+    def _titles(self, grid: ViewGrid) -> dict[str, tuple[str, str]]:
+        """What stands over the views; in another language than the window's titles and deviations alone."""
+        from gearstudio.report.language import language, speaking
+        from gearstudio.report.view_words import deviation_words, view_title
+        from ui.session import Key
+        from ui.views.quantities import quantity_of
+
+        session, titles = self._session, {panel.key: (panel.title, panel.subtitle) for panel in grid.panels}
+        if self._language == spoken():
+            return titles
+        is_deviation = quantity_of(grid.appearance).is_deviation
+        with speaking(language(self._language)):
+            for method in titles:
+                result = session.results.get(Key(session.member, method, session.variant))
+                words = "" if result is None or not is_deviation else deviation_words(result)
+                titles[method] = (view_title(method, session.variant), words)
+        return titles
 
     def _one(self, name: str, copy: ViewGrid, steps: Steps) -> Iterator[None]:
         try:

@@ -3,18 +3,22 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 from PySide6.QtCore import QObject
 
 from gearstudio.errors import FileError
+from gearstudio.words import ENGLISH
 from ui.reporting.dialog import ReportDialog
 from ui.reporting.pictures import ReportPictures
 from ui.words import tr
 
 if TYPE_CHECKING:
+    from gearstudio.catalogue import MemberName
     from gearstudio.jobs import Job
     from gearstudio.report.job import ReportJob
+    from gearstudio.report.measuring import MeasuredFile
+    from ui.analysis.measurement_data import Measurement
     from ui.main_window import MainWindow
     from ui.runner import JobRunner
     from ui.session import Session
@@ -32,7 +36,9 @@ class Reporting(QObject):
         self._pictures = ReportPictures(session, window, solid_mode, self)
         self._pictures.taken.connect(self._submit)
         self._wanted: tuple[tuple[str, ...], Any] = ((), "wheel")
+        self._language = ENGLISH
         session.design_changed.connect(self._on_design_changed)
+        window.analysis.page_made.connect(self._on_page_made)
         self._runner: JobRunner | None = None
         self._job: ReportJob | None = None
         self.dialog: ReportDialog | None = None
@@ -57,17 +63,18 @@ class Reporting(QObject):
             self.dialog.cancelled.connect(self._cancel)
             self.dialog.saved.connect(self._save)
             self.dialog.finished.connect(self._on_closed)
+        self._show_measured()
         self.dialog.show()
         self.dialog.raise_()
 
-    def make(self, sections: tuple[str, ...], member: Any) -> None:
+    def make(self, sections: tuple[str, ...], member: Any, language: str) -> None:
         """Have the report of the design as it is now made."""
         if self._runner is None or self.dialog is None:
             return
-        self._wanted = (sections, member)
+        self._wanted, self._language = (sections, member), language
         if "pictures" in sections:
             self.dialog.show_progress(tr("taking pictures of the views"), 0.0)
-            self._pictures.take()
+            self._pictures.take(language)
         else:
             self._submit((), ())
 
@@ -82,9 +89,32 @@ class Reporting(QObject):
 
         design, path = self._session.design, self._session.path
         folder = None if path is None else path.parent
-        self._job = ReportJob(design, *self._wanted, pictures, _PREVIEW_DPI, folder, missing)
+        self._job = ReportJob(
+            design, *self._wanted, pictures, _PREVIEW_DPI, folder, missing, self._language, self._measured()
+        )
         self.dialog.show_progress(tr("waiting for the CAD process"), 0.0)
         self._runner.submit((self._job,))
+
+    def _measured(self) -> MeasuredFile | None:
+        """The points on the page of measured points, as they were read."""
+        from gearstudio.report.measuring import MeasuredFile
+
+        page: Any = self._window.analysis.pages.get("measurement")
+        found: Measurement | None = None if page is None else page.measurement
+        if found is None:
+            return None
+        source, member = found.source, cast("MemberName", found.result.member)
+        return MeasuredFile(source.path.name, member, source.chunks or (), page.panel.fit, source.shift, source.faces)
+
+    def _show_measured(self) -> None:
+        if self.dialog is not None:
+            measured = self._measured()
+            self.dialog.show_measured(measured.name if measured is not None else "")
+
+    def _on_page_made(self, page: Any) -> None:
+        if hasattr(page, "measurement"):
+            page.work.measured.connect(lambda *_: self._show_measured())
+            page.work.refused.connect(lambda _text: self._show_measured())
 
     def _cancel(self) -> None:
         self._pictures.stop()

@@ -83,7 +83,7 @@ def painted(grid: ViewGrid, bar: ColorBar | None, options: PictureOptions) -> St
     viewport = grid.viewport
     assert isinstance(viewport, StillViewport)
     size, scale = grid.size(), options.scale
-    side = picture_bar(bar, size.height()) if bar is not None and options.scale_bar else None
+    side = picture_bar(bar, size.height(), grid.dark) if bar is not None and options.scale_bar else None
     width = size.width() + (side.width() if side is not None else 0)
     image = QImage(width * scale, size.height() * scale, QImage.Format.Format_ARGB32_Premultiplied)
     image.fill(Qt.GlobalColor.transparent)
@@ -132,9 +132,10 @@ def at_once(steps: Steps) -> QImage:
             return end.value  # type: ignore[no-any-return]
 
 
-def picture_bar(bar: ColorBar, height: int) -> ColorBar:
-    """A colour scale like another one, for a picture: without its button."""
+def picture_bar(bar: ColorBar, height: int, dark: bool) -> ColorBar:
+    """A colour scale like another one, for a picture: without its button, in letters that suit the picture's ground."""
     made = ColorBar()
+    made.setStyleSheet(f"QWidget {{ color: {(DARK if dark else LIGHT).text}; }}")
     made.show_like(bar)
     made.setFixedSize(made.sizeHint().width(), height)
     made.ensurePolished()
