@@ -178,7 +178,8 @@ class DerivedPanel(QWidget):
     def text_table(self) -> str:
         """All values as tab-separated text."""
         cells = [[self.view.item(row, column) for column in range(4)] for row in range(self.view.rowCount())]
-        return "\n".join("\t".join(map(_plain, row)) for row in cells)
+        head = (tr("Quantity"), tr("Pinion"), tr("Wheel"), tr("Unit"))
+        return "\n".join("\t".join(row) for row in [head, *(map(_plain, row) for row in cells)])
 
     def _put(self, row: int, column: int, text: str, *, right: bool = False, symbol: str = "") -> None:
         item = self.view.item(row, column)

@@ -50,8 +50,11 @@ class PublishedTable(QWidget):
 
     def text_table(self) -> str:
         """All values as tab-separated text."""
-        rows = [(c.source, c.name, c.published, c.computed, c.unit, verdict(c)) for c in self.checks]
-        return "\n".join("\t".join(row) for row in [("source", *HEADS[:4], "verdict"), *rows]) + "\n"
+        rows = [
+            (tr(c.source), _named(c.name), c.published, c.computed or "–", tr(c.unit), verdict(c)) for c in self.checks
+        ]
+        head = (tr("Source"), *map(tr, HEADS[:4]), tr("Verdict"))
+        return "\n".join("\t".join(row) for row in [head, *rows]) + "\n"
 
 
 def _named(name: str) -> str:

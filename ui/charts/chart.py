@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from ui.charts.colors import chart_color
 from ui.charts.export import Paint, scene_paint
+from ui.charts.menu import QuietView
 from ui.charts.parts import ChartAxis, curve, legend_text, pen
 from ui.charts.records import Axis, ChartData, Reference, Series, Table
 
@@ -26,7 +27,7 @@ class Chart(QWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.data = ChartData("chart", Axis(""), Axis(""))
-        self._view = pg.GraphicsLayoutWidget()
+        self._view = QuietView()
         self._view.ci.layout.setContentsMargins(4, 4, 8, 2)
         self._view.ci.layout.setVerticalSpacing(0)
         self._legend = self._view.addLabel("", row=0, col=0, justify="left")
@@ -62,6 +63,10 @@ class Chart(QWidget):
         else:
             self._fill()
             self.plot.enableAutoRange()
+
+    def view_all(self) -> None:
+        """Scale to everything there is."""
+        self.plot.enableAutoRange()
 
     def refresh_theme(self) -> None:
         """Take the colours of the theme in use."""
@@ -192,7 +197,7 @@ class Chart(QWidget):
 
     def _on_clicked(self, event: object) -> None:
         if event.double():  # type: ignore[attr-defined]
-            self.plot.enableAutoRange()
+            self.view_all()
 
     def _on_moved(self, place: QPointF) -> None:
         box = self.plot.vb

@@ -13,8 +13,9 @@ from PySide6.QtWidgets import QGraphicsItem, QGraphicsView
 
 from gearstudio.errors import FileError
 from gearstudio.files import write_bytes
+from ui.words import noted
 
-FILTERS = "Picture (*.png);;Drawing (*.svg);;Table (*.csv)"
+FILTERS = noted("Picture (*.png);;Drawing (*.svg);;Table (*.csv)")
 SUFFIXES = (".png", ".svg", ".csv")
 SCALE = 2.0
 """A saved picture has this many pixels for one on the screen."""
@@ -110,9 +111,11 @@ def save(path: Path, size: QSize, paint: Paint, csv_text: str, title: str) -> Pa
     return path
 
 
-def clipboard_data(size: QSize, paint: Paint, text: str) -> QMimeData:
-    """Picture and table together: a text editor takes the numbers, a document the picture."""
+def clipboard_data(size: QSize, paint: Paint, text: str, what: str = "both") -> QMimeData:
+    """Picture and table together (a text editor takes the numbers, a document the picture), or one of them."""
     data = QMimeData()
-    data.setImageData(picture(size, paint))
-    data.setText(text)
+    if what != "numbers":
+        data.setImageData(picture(size, paint))
+    if what != "picture":
+        data.setText(text)
     return data

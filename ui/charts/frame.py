@@ -6,16 +6,22 @@ from pathlib import Path
 from typing import Protocol
 
 from PySide6.QtCore import QDir, QSize, QStandardPaths, Qt, Signal
-from PySide6.QtGui import QGuiApplication, QPainter, QPaintEvent
+from PySide6.QtGui import QContextMenuEvent, QGuiApplication, QPainter, QPaintEvent
 from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QLabel, QSizePolicy, QVBoxLayout, QWidget
 
 from gearstudio.errors import FileError
 from ui.charts.buttons import tool_button
 from ui.charts.export import FILTERS, Paint, clipboard_data, save
+from ui.charts.menu import chart_menu
 from ui.charts.records import Table
-from ui.words import told, tr
+from ui.words import noted, told, tr
 
 LEAST_LETTERS = 8
+COPIED = {
+    "both": noted("Copied the chart: picture and numbers"),
+    "picture": noted("Copied the picture of the chart"),
+    "numbers": noted("Copied the numbers of the chart; paste them into a spreadsheet"),
+}
 
 
 def documents() -> str:
@@ -91,15 +97,21 @@ class ChartFrame(QWidget):
         self.hint.setText(text)
         self.hint.setToolTip(text)
 
-    def copy(self) -> None:
-        """Put picture and numbers on the clipboard."""
+    def copy(self, what: str = "both") -> None:
+        """Put the picture, the numbers or both on the clipboard."""
         chart = self.chart
-        QGuiApplication.clipboard().setMimeData(clipboard_data(chart.size(), chart.paint, chart.table.text("\t")))
-        self.said.emit("info", tr("Copied the chart: picture and numbers"))
+        data = clipboard_data(chart.size(), chart.paint, chart.table.shown().text("\t"), what)
+        QGuiApplication.clipboard().setMimeData(data)
+        self.said.emit("info", tr(COPIED[what]))
+
+    def contextMenuEvent(self, event: QContextMenuEvent) -> None:
+        view_all = getattr(self.chart, "view_all", None)
+        chart_menu(self, view_all, self.copy, self.ask_and_save).popup(event.globalPos())
 
     def ask_and_save(self) -> None:
         """Ask for a name and save."""
-        name, _ = QFileDialog.getSaveFileName(self, tr("Save chart"), f"{documents()}/{self.chart.name}.png", FILTERS)
+        start = f"{documents()}/{self.chart.name}.png"
+        name, _ = QFileDialog.getSaveFileName(self, tr("Save chart"), start, tr(FILTERS))
         if name:
             self.save(Path(name))
 

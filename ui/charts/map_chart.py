@@ -13,6 +13,7 @@ from PySide6.QtWidgets import QVBoxLayout, QWidget
 from ui.charts.colors import chart_color
 from ui.charts.export import Paint, scene_paint
 from ui.charts.maps import Colors, FlankMap, MapData, Scale
+from ui.charts.menu import QuietView
 from ui.charts.parts import pen
 from ui.charts.records import Table
 from ui.theme import is_dark
@@ -35,7 +36,7 @@ class MapChart(QWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.data = MapData("map")
-        self._view = pg.GraphicsLayoutWidget()
+        self._view = QuietView()
         self._view.ci.layout.setContentsMargins(2, 2, 2, 2)
         self._view.ci.layout.setSpacing(2)
         self._plots: list[_MapPlot] = []

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import io
+import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Literal
@@ -12,11 +13,23 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ui.formatting import MINUS
+from ui.units import to_shown, unit_shown
+from ui.words import noted, told, tr
 
 Floats = NDArray[np.float64]
 Stroke = Literal["solid", "dash", "dot"]
 ORDERS_APART = 30.0
 """From this ratio of the largest to the smallest curve on, a logarithmic axis reads better."""
+
+
+UNIT = re.compile(r"(.+) \[(.+)\]")
+"""A heading with a unit."""
+HEADINGS = (
+    noted("series"), noted("method"), noted("count"), noted("poles"), noted("seconds"), noted("max"), noted("mean"),
+    noted("rms"), noted("tooth"), noted("flank"), noted("member"), noted("face 0-1"), noted("profile 0-1"),
+    noted("deviation"), noted("gap"), noted("ease-off"), noted("curvature"),
+)  # fmt: skip
+"""English headings of tables, as files have them; a copy for a spreadsheet has them in the window's language."""
 
 
 def plain(value: float) -> str:
@@ -142,6 +155,17 @@ class Table:
     head: tuple[str, ...]
     rows: Sequence[Sequence[object]]
 
+    def shown(self) -> Table:
+        """For a spreadsheet: headings and names in the window's language, lengths in its unit."""
+        parts = [UNIT.fullmatch(title) for title in self.head]
+        units = [part[2] if part else "" for part in parts]
+        titles = [tr(part[1] if part else title) for part, title in zip(parts, self.head, strict=True)]
+        head = [
+            f"{title} [{tr(unit_shown(unit))}]" if unit else title for title, unit in zip(titles, units, strict=True)
+        ]
+        rows = [[_shown_cell(value, unit) for value, unit in zip(row, units, strict=True)] for row in self.rows]
+        return Table(tuple(head), rows)
+
     def text(self, delimiter: str = ",") -> str:
         """As CSV (or, for a spreadsheet's clipboard, with tabs), numbers with 12 digits."""
         file = io.StringIO()
@@ -153,6 +177,12 @@ class Table:
 
 def _cell(value: object) -> str:
     return f"{value:.12g}" if isinstance(value, float | np.floating) else str(value)
+
+
+def _shown_cell(value: object, unit: str) -> object:
+    if isinstance(value, str):
+        return told(value)
+    return to_shown(float(value), unit) if isinstance(value, float | np.floating) else value
 
 
 def _table_of(data: ChartData) -> Table:
