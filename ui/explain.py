@@ -8,6 +8,7 @@ from typing import Any
 
 from gearstudio.design import FieldSpec, all_field_specs
 from ui.formatting import choice_title, subscripts
+from ui.help.pages_of import term_of
 from ui.units import shown_text, spaced
 from ui.words import retold, tr
 
@@ -66,6 +67,9 @@ def explanation(spec: FieldSpec, value: Any, idle: str, effects: Sequence[str]) 
         lines.append("<p>" + "<br>".join(escape(effect) for effect in effects) + "</p>")
     if has_equation(spec):
         lines.append(f'<p><a href="equation:{spec.path}">{tr("Show equation")}</a></p>')
+    term = term_of(spec.title)
+    if term:
+        lines.append(f'<p><a href="glossary:{escape(term)}">{escape(tr("In the glossary: {term}", term=term))}</a></p>')
     lines.append(f"<p>{tr('In the design file: {key}', key=f'<code>{escape(spec.path)}</code>')}</p>")
     return "".join(lines)
 

@@ -11,10 +11,12 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QWidget
 from pytestqt.qtbot import QtBot
 
+from gearstudio.design import all_field_specs
 from gearstudio.equations import EQUATIONS, fields_of, holds
 from gearstudio.presets import PRESETS
 from tests.ui.stand_ins import Bench
 from ui.derived_panel import QUANTITIES, SYMBOL
+from ui.explain import explanation
 from ui.help.equations import EquationBrowser, used_by_text
 from ui.help.rows import RowEquations
 from ui.help.ways import keys_of_symbol
@@ -74,6 +76,14 @@ def test_the_link_in_an_explanation_opens_the_equation(bench: Bench) -> None:
     path = "modifications.wheel.convex.tip_relief_um"
     assert QApplication.sendEvent(bench.window, QWhatsThisClickedEvent(f"equation:{path}"))
     assert asked == ["tip_relief"] and shown(bench) == "tip_relief"
+
+
+def test_an_explanation_leads_to_the_glossary(bench: Bench) -> None:
+    assert "glossary:Backlash" in explanation(all_field_specs()["tooth.backlash"], 0.1, "", [])
+    assert QApplication.sendEvent(bench.window, QWhatsThisClickedEvent("glossary:Backlash"))
+    guide = bench.controller.help._guide
+    assert guide is not None and guide.pages.currentData() == "glossary"
+    assert guide.view.textCursor().block().text().startswith("Backlash")
 
 
 def test_a_derived_value_has_a_button_and_a_key(bench: Bench, qtbot: QtBot) -> None:

@@ -1,15 +1,20 @@
 """Help in the window: the guide's pages, the glossary, the equations with the numbers of the design."""
 
+import re
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import QRect, QSettings, Qt
+from PySide6.QtCore import QObject, QRect, QSettings, Qt, QTranslator, QUrl
+from PySide6.QtGui import QImage, QTextDocument
+from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
 from gearstudio.equations import EQUATIONS, numbers_of
 from gearstudio.theory.cones import pair_geometry
 from ui.help.equations import EquationBrowser
-from ui.help.guide import PAGES, GuideWindow, pages_folder
+from ui.help.guide import GuideWindow
+from ui.help.pages_of import PAGES, page_path, pages_folder, slug, term_of
 from ui.help.tour import SEEN, STEPS, Tour, card_place
 from ui.help.typeset import drawing
 from ui.main_window import MainWindow
@@ -26,24 +31,84 @@ def session(qtbot: QtBot) -> Session:
     return made
 
 
-def test_every_page_is_there_with_its_headings(qtbot: QtBot) -> None:
+class Speaking(QTranslator):
+    """Says which language the window speaks, and a few of its words."""
+
+    def __init__(self, words: dict[str, str], parent: QObject) -> None:
+        super().__init__(parent)
+        self._words = words
+
+    def isEmpty(self) -> bool:
+        return False
+
+    def translate(self, context: str, text: str, hint: str | None = None, n: int = -1) -> str | None:
+        return self._words.get(text)
+
+
+@pytest.fixture(params=["en", "de", "zh"])
+def language(request: pytest.FixtureRequest, qapp: QApplication) -> Iterator[str]:
+    words = {"de": {"en": "de", "Backlash": "Flankenspiel"}, "zh": {"en": "zh", "Backlash": "侧隙"}}
+    translator = Speaking(words.get(request.param, {}), qapp)
+    qapp.installTranslator(translator)
+    yield request.param
+    qapp.removeTranslator(translator)
+
+
+def test_every_page_is_there_in_every_language_with_its_headings_and_pictures(qtbot: QtBot, language: str) -> None:
     guide = GuideWindow()
     qtbot.addWidget(guide)
     for key, _ in PAGES:
         guide.show_page(key)
-        text = (pages_folder() / f"{key}.md").read_text(encoding="utf-8")
-        assert guide.headings.count() == sum(line.startswith("#") for line in text.splitlines())
+        assert page_path(key).parent == (pages_folder() if language == "en" else pages_folder() / language)
+        text = page_path(key).read_text(encoding="utf-8")
+        assert guide.headings.count() == len(re.findall(r"^#+ ", text, flags=re.MULTILINE))
         assert guide.view.verticalScrollBar().value() == 0
+        assert guide.view.toPlainText().count("\ufffc") == text.count("![")
+    loaded = guide.view.loadResource(
+        QTextDocument.ResourceType.ImageResource.value, QUrl(("" if language == "en" else "../") + "images/zebra.png")
+    )
+    assert isinstance(loaded, QImage) and not loaded.isNull()
 
 
-def test_search_goes_round(qtbot: QtBot) -> None:
-    guide = GuideWindow(page="glossary")
+def test_the_contents_lead_to_the_headings(qtbot: QtBot, language: str) -> None:
+    guide = GuideWindow()
     qtbot.addWidget(guide)
-    guide.search.setText("Zerol")
+    guide.show()
+    headings = [guide.headings.item(row).text().strip() for row in range(guide.headings.count())]
+    links = re.findall(r"\]\((#[^)]+)\)", page_path("guide").read_text(encoding="utf-8"))
+    assert len(links) > 15
+    for link in links:
+        guide.view.anchorClicked.emit(QUrl(link))
+        assert slug(headings[guide.headings.currentRow()]) == link[1:]
+
+
+def test_search_goes_on_in_the_other_page_and_round(qtbot: QtBot, language: str) -> None:
+    guide = GuideWindow()
+    qtbot.addWidget(guide)
+    guide.show()
+    guide.search.setText({"en": "zerol", "de": "zerol", "zh": "零度齿"}[language])
     guide.find_next()
+    assert guide.pages.currentData() == "glossary" and guide.view.textCursor().hasSelection()
     first = guide.view.textCursor().position()
     guide.find_next()
-    assert first > 0 and guide.view.textCursor().position() == first
+    assert guide.view.textCursor().position() == first and not guide.nothing.isVisible()
+    guide.search.setText("qqqq")
+    guide.find_next()
+    assert guide.nothing.isVisible()
+    guide.search.setText({"en": "toe-heel", "de": "rückenkegel", "zh": "背锥"}[language])
+    guide.find_next()
+    assert guide.nothing.isVisible() == (language == "en")
+
+
+def test_a_word_of_the_window_leads_to_the_glossary(qtbot: QtBot, language: str) -> None:
+    term = term_of("Backlash")
+    assert term == {"en": "Backlash", "de": "Flankenspiel", "zh": "侧隙"}[language]
+    guide = GuideWindow()
+    qtbot.addWidget(guide)
+    guide.show()
+    guide.show_term(term)
+    assert guide.view.textCursor().block().text().startswith(term)
+    assert term_of("Bore diameter") == ""
 
 
 def test_the_browser_shows_the_numbers_of_the_design(qtbot: QtBot, session: Session) -> None:

@@ -28,6 +28,7 @@ class HelpDesk(QObject):
         self.tour = Tour(window)
         self.ways = Ways(session, window)
         self.ways.equation_asked.connect(self.open_equations)
+        self.ways.term_asked.connect(self.open_term)
         commands = window.commands
         commands["tour"].triggered.connect(lambda: self.tour.start())
         commands["guide"].triggered.connect(lambda: self.open_guide())
@@ -42,6 +43,10 @@ class HelpDesk(QObject):
         self._guide.show_page(page)
         _to_front(self._guide)
         return self._guide
+
+    def open_term(self, term: str) -> None:
+        """Show what a word means."""
+        self.open_guide("glossary").show_term(term)
 
     def open_equations(self, key: str = "") -> EquationBrowser:
         """Show the equation browser, at an equation."""

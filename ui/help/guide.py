@@ -1,15 +1,14 @@
-"""The guide and the glossary, to read beside the window."""
+"""The guide and the glossary, to read beside the window, in its language where they are translated."""
 
 from __future__ import annotations
 
-from pathlib import Path
-
-from PySide6.QtCore import QUrl
+from PySide6.QtCore import Qt, QUrl
 from PySide6.QtGui import QDesktopServices, QImage, QTextCursor, QTextDocument
 from PySide6.QtWidgets import (
     QComboBox,
     QDialog,
     QHBoxLayout,
+    QLabel,
     QLineEdit,
     QListWidget,
     QSplitter,
@@ -19,57 +18,69 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from ui.help.pages_of import PAGES, page_path, slug
 from ui.words import tr
 
-HERE = Path(__file__).parent
 _SIZE = (940, 640)
 _MARGIN = 60
-PAGES = (("guide", "Guide"), ("glossary", "Glossary"))
-
-
-def pages_folder() -> Path:
-    """Where the pages are: beside this file, or where links are not supported, in the project."""
-    beside = HERE / "pages"
-    return beside if beside.is_dir() else HERE.parents[1] / "docs"
 
 
 class PageView(QTextBrowser):
     """A page of Markdown with its pictures no wider than the view."""
 
-    def __init__(self, folder: Path) -> None:
+    def __init__(self) -> None:
         super().__init__()
-        self._folder = folder
+        self._page = page_path(PAGES[0][0])
         self.setOpenLinks(False)
         self.document().setDocumentMargin(18)
+
+    def show_page(self, page: str) -> None:
+        """Show a page by its key."""
+        self._page = page_path(page)
+        text = self._page.read_text(encoding="utf-8")
+        self.document().setMarkdown(text, QTextDocument.MarkdownFeature.MarkdownDialectGitHub)
+        self.moveCursor(QTextCursor.MoveOperation.Start)
+        self.verticalScrollBar().setValue(0)
+
+    def find_on(self, words: str) -> bool:
+        """Go to the next place with the words looked for, from the cursor on."""
+        return bool(words) and self.find(words)
 
     def loadResource(self, kind: int, name: QUrl | str) -> object:
         """Pictures shrink to the width there is."""
         url = QUrl(name)
         if kind == QTextDocument.ResourceType.ImageResource.value:
-            image = QImage(str(self._folder / url.toString()))
-            return image.scaledToWidth(min(image.width(), max(self.viewport().width() - _MARGIN, 200)))
+            image = QImage(str(self._page.parent / url.toString()))
+            width = max(self.viewport().width() - _MARGIN, 200)
+            smooth = Qt.TransformationMode.SmoothTransformation
+            return image.scaledToWidth(width, smooth) if image.width() > width else image
         return super().loadResource(kind, url)
 
 
 class GuideWindow(QDialog):
-    """A page, its headings to jump to, and a search in it."""
+    """A page, its headings to jump to, and a search in it and in the other."""
 
     def __init__(self, parent: QWidget | None = None, page: str = "guide") -> None:
         super().__init__(parent)
         self.setWindowTitle(tr("Guide"))
+        self.setWindowFlag(Qt.WindowType.WindowMaximizeButtonHint)
         self.resize(*_SIZE)
-        self._folder = pages_folder()
         self.pages = QComboBox()
         self.pages.setAccessibleName(tr("Page"))
         self.pages.setToolTip(tr("Guide or glossary"))
         for key, title in PAGES:
             self.pages.addItem(tr(title), key)
         self.search = QLineEdit()
-        self.search.setPlaceholderText(tr("Find in the page"))
-        self.search.setAccessibleName(tr("Find in the page"))
+        self.search.setPlaceholderText(tr("Find in guide and glossary"))
+        self.search.setAccessibleName(tr("Find in guide and glossary"))
         self.search.setToolTip(tr("Return goes to the next place"))
         self.search.setClearButtonEnabled(True)
+        self.search.setMinimumWidth(220)
         self.search.returnPressed.connect(self.find_next)
+        self.search.textEdited.connect(lambda _: self.nothing.hide())
+        self.nothing = QLabel(tr("Nothing found"))
+        self.nothing.setProperty("severity", "warning")
+        self.nothing.hide()
         self.next = QToolButton()
         self.next.setText(tr("Next"))
         self.next.setToolTip(tr("Next place where the words stand"))
@@ -78,7 +89,7 @@ class GuideWindow(QDialog):
         self.headings.setAccessibleName(tr("Headings"))
         self.headings.setToolTip(tr("Go to a heading"))
         self.headings.currentRowChanged.connect(self._jump)
-        self.view = PageView(self._folder)
+        self.view = PageView()
         self.view.setAccessibleName(tr("Page"))
         self.view.anchorClicked.connect(self._follow)
         self._blocks: list[int] = []
@@ -92,19 +103,32 @@ class GuideWindow(QDialog):
         self._load()
 
     def find_next(self) -> None:
-        """Go to the next place with the words looked for, from the top after the last."""
-        if self.search.text() and not self.view.find(self.search.text()):
-            cursor = self.view.textCursor()
-            cursor.setPosition(0)
-            self.view.setTextCursor(cursor)
-            self.view.find(self.search.text())
+        """Go to the next place with the words looked for: on this page, then on the other, then from the top again."""
+        words = self.search.text().strip()
+        found = self.view.find_on(words)
+        for _ in range(self.pages.count() if words and not found else 0):
+            self.pages.setCurrentIndex((self.pages.currentIndex() + 1) % self.pages.count())
+            found = self.view.find_on(words)
+            if found:
+                break
+        self.nothing.setVisible(bool(words) and not found)
+
+    def show_term(self, term: str) -> None:
+        """Show what a word of the glossary means."""
+        self.show_page("glossary")
+        block = self.view.document().begin()
+        while block.isValid():
+            if block.text().startswith(term):
+                self._go_to(block.position())
+                return
+            block = block.next()
 
     def _lay_out(self) -> None:
         top = QHBoxLayout()
         top.addWidget(self.pages)
         top.addStretch(1)
-        top.addWidget(self.search)
-        top.addWidget(self.next)
+        for widget in (self.nothing, self.search, self.next):
+            top.addWidget(widget)
         split = QSplitter()
         split.addWidget(self.headings)
         split.addWidget(self.view)
@@ -115,8 +139,7 @@ class GuideWindow(QDialog):
         column.addWidget(split, 1)
 
     def _load(self) -> None:
-        text = (self._folder / f"{self.pages.currentData()}.md").read_text(encoding="utf-8")
-        self.view.document().setMarkdown(text, QTextDocument.MarkdownFeature.MarkdownDialectGitHub)
+        self.view.show_page(self.pages.currentData())
         self._blocks = []
         self.headings.clear()
         block = self.view.document().begin()
@@ -126,29 +149,27 @@ class GuideWindow(QDialog):
                 self.headings.addItem("   " * (level - 1) + block.text())
                 self._blocks.append(block.position())
             block = block.next()
-        self.view.moveCursor(QTextCursor.MoveOperation.Start)
-        self.view.verticalScrollBar().setValue(0)
+        self.headings.setVisible(len(self._blocks) > 1)
 
     def _jump(self, row: int) -> None:
         if 0 <= row < len(self._blocks):
-            cursor = self.view.textCursor()
-            cursor.setPosition(self._blocks[row])
-            self.view.setTextCursor(cursor)
-            place = self.view.cursorRect(cursor).top() + self.view.verticalScrollBar().value()
-            self.view.verticalScrollBar().setValue(place)
+            self._go_to(self._blocks[row])
+
+    def _go_to(self, position: int) -> None:
+        cursor = self.view.textCursor()
+        cursor.setPosition(position)
+        self.view.setTextCursor(cursor)
+        place = self.view.cursorRect(cursor).top() + self.view.verticalScrollBar().value()
+        self.view.verticalScrollBar().setValue(place)
 
     def _jump_to(self, fragment: str) -> None:
         """Go to the heading that a link of the page names."""
         for row in range(self.headings.count()):
-            if self.headings.item(row).text().strip().lower().replace(",", "").replace(" ", "-") == fragment:
+            if slug(self.headings.item(row).text()) == fragment:
                 self.headings.setCurrentRow(row)
 
     def _follow(self, url: QUrl) -> None:
         if url.isRelative() and url.hasFragment():
-            self._jump_to(url.fragment())
-            return
-        key = Path(url.path()).stem
-        if url.isRelative() and self.pages.findData(key) >= 0:
-            self.show_page(key)
+            self._jump_to(url.fragment(QUrl.ComponentFormattingOption.FullyDecoded))
         elif not url.isRelative():
             QDesktopServices.openUrl(url)

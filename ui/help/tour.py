@@ -32,8 +32,8 @@ class Step:
 STEPS = (
     Step(
         noted("The design"),
-        noted("Every value of the pair. Change one and everything follows; a problem is told at its field. "
-              "Shift+F1 explains a field."),
+        noted("Every value of the pair; an offset makes it hypoid. Change one and everything follows, or its problem "
+              "is told at its field. Shift+F1 explains a field, Ctrl+F1 shows its equation."),
         lambda window: window.form,
     ),
     Step(

@@ -1,4 +1,4 @@
-"""Ways into the equation browser: from fields, from their explanations, from the data sheet and the derived values."""
+"""Ways into the equation browser and the glossary: from fields and their explanations, and from rows of values."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from ui.main_window import MainWindow
     from ui.session import Session
 
-LINK = "equation:"
+LINK, TERM = "equation:", "glossary:"
 _OF_SYMBOLS = {
     "z": "z", "": "hand", "δ": "delta", "δ_a": "delta_a", "δ_f": "delta_f", "δ_b": "delta_b", "d": "d_e",
     "h_a": "h_ae", "h_f": "h_fe", "R": "R_e", "R_m": "R_m", "B": "b", "R_b": "R_b", "α": "alpha", "β": "beta_e",
@@ -41,9 +41,12 @@ class Ways(QObject):
     -------
     equation_asked(str)
         Key of the equation to show; empty shows the browser as it was left.
+    term_asked(str)
+        Entry of the glossary to show.
     """
 
     equation_asked = Signal(str)
+    term_asked = Signal(str)
 
     def __init__(self, session: Session, window: MainWindow) -> None:
         super().__init__(window)
@@ -79,10 +82,13 @@ class Ways(QObject):
         self.show_one_of(equations_of_quantity(key))
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Follow the link of an explanation."""
-        if isinstance(event, QWhatsThisClickedEvent) and event.href().startswith(LINK):
+        """Follow the links of an explanation."""
+        if isinstance(event, QWhatsThisClickedEvent):
             QWhatsThis.hideText()
-            self.show_field(event.href().removeprefix(LINK))
+            if event.href().startswith(LINK):
+                self.show_field(event.href().removeprefix(LINK))
+            else:
+                self.term_asked.emit(event.href().removeprefix(TERM))
             return True
         return super().eventFilter(watched, event)
 
