@@ -22,6 +22,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QMenu, QSizePolicy, QToolButton, QVBoxLayout, QWidget
 
 from ui import colormap
+from ui.views.factors import factor_text
 from ui.views.quantities import DEVIATION, Quantity
 from ui.views.range_editor import RangeEditor
 from ui.words import tr
@@ -50,6 +51,7 @@ class ColorBar(QWidget):
         self._range, self._data, self._extent, self._automatic = (-1.0, 1.0), (-1.0, 1.0), (0.0, 0.0), True
         self._quantity, self._unit = DEVIATION, "auto"
         self._marker: float | None = None
+        self._factor = 1
         self._drag: tuple[float, tuple[float, float], bool] | None = None
         self._image = _picture("balance", 0)
 
@@ -99,11 +101,23 @@ class ColorBar(QWidget):
         self._tell()
         self.update()
 
+    def show_exaggeration(self, factor: int) -> None:
+        """Say how many times as large the deviation is drawn."""
+        if factor != self._factor:
+            self._factor = factor
+            self._tell()
+            self.update()
+
+    def show_units(self) -> None:
+        """Show curvatures in the unit of lengths that the user chose now."""
+        self._tell()
+        self.update()
+
     def show_like(self, other: ColorBar) -> None:
         """Be a copy of another scale, for a picture: its range stays, and the button is gone."""
         self._image, self._unit, self._quantity = other._image, other._unit, other._quantity
         self._extent, self._automatic = other._extent, other._automatic
-        self._range = other._range
+        self._range, self._factor = other._range, other._factor
         self._auto.hide()
 
     def set_data_limit(self, largest_um: float) -> None:
@@ -167,14 +181,16 @@ class ColorBar(QWidget):
 
     def _tell(self) -> None:
         unit, _ = self._shown_unit()
-        self.setToolTip(
-            tr(
-                "{title} [{unit}]\nDrag an end of the bar to change the range, double-click to type it. "
-                "Grey: no value there",
-                title=tr(self._quantity.title),
-                unit=unit,
-            )
+        words = tr(
+            "{title} [{unit}]\nDrag an end of the bar to change the range, double-click to type it. "
+            "Grey: no value there",
+            title=tr(self._quantity.title),
+            unit=unit,
         )
+        if self._factor != 1:
+            factor = factor_text(self._factor)
+            words += "\n" + tr("Flanks are drawn with their deviation {factor}", factor=factor)
+        self.setToolTip(words)
 
     # ---- painting ------------------------------------------------------------------------------------
 
@@ -194,7 +210,7 @@ class ColorBar(QWidget):
 
     def _bar(self) -> QRectF:
         line = QFontMetricsF(self.font()).height()
-        top = 1.9 * line + _POINT
+        top = (1.9 if self._factor == 1 else 3.0) * line + _POINT
         below = self._auto.geometry().top() if not self._auto.isHidden() else self.height() - line
         bottom = below - 0.9 * line - _POINT / 2
         return QRectF(_PAD, top, BAR_WIDTH, max(bottom - top, 20.0))
@@ -212,9 +228,9 @@ class ColorBar(QWidget):
             painter.setFont(self._small_font())
             painter.setPen(text)
             painter.drawText(
-                QRectF(0, 4, self.width(), 1.4 * QFontMetricsF(self.font()).height()),
+                QRectF(0, 4, self.width(), 2.6 * QFontMetricsF(self.font()).height()),
                 Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignTop,
-                self._shown_unit()[0],
+                "\n".join([self._shown_unit()[0], *[factor_text(self._factor)] * (self._factor != 1)]),
             )
             self._paint_ticks(painter, bar, text, line)
             if self._marker is not None:

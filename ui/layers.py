@@ -85,6 +85,10 @@ class Layer:
         Drawn only while the picture stands still, or only while it moves; empty for always.
     deviation : ndarray, shape (n,), or None
         Deviation [µm] of a surface whose scalars may be something else.
+    true_points : ndarray, shape (n, 3), or None
+        Where the points are [mm], if they are drawn elsewhere to make their deviation seen.
+    offset : ndarray, shape (n, 3), or None
+        How far the points are from where theory has them [mm].
     """
 
     layer_id: str
@@ -98,6 +102,8 @@ class Layer:
     body: str = ""
     level: Literal["", "fine", "coarse"] = ""
     deviation: Floats | None = None
+    true_points: Floats | None = None
+    offset: Floats | None = None
 
     @property
     def key(self) -> str:

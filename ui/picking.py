@@ -70,6 +70,12 @@ class Hit:
         """The deviation there [µm], whatever the colours show."""
         return self.scalar if self.layer.deviation is None else self._at(self.layer.deviation)
 
+    @property
+    def true_point(self) -> Floats:
+        """The point itself, wherever it is drawn."""
+        true = self.layer.true_points
+        return self.point if true is None else np.asarray(self.weights @ true[self.corners])
+
     def _at(self, values: Floats | None) -> float | None:
         if values is None:
             return None
@@ -90,6 +96,7 @@ def first_hit(layers: Iterable[Layer], start: Floats, direction: Floats) -> Hit 
 
 def describe(hit: Hit, panel_key: str) -> Hover:
     """What a hit tells the user."""
-    x, y, z = (float(c) for c in hit.point)
-    rho, delta = float(np.linalg.norm(hit.point)), float(np.degrees(np.arctan2(np.hypot(x, y), z)))
+    point = hit.true_point
+    x, y, z = (float(c) for c in point)
+    rho, delta = float(np.linalg.norm(point)), float(np.degrees(np.arctan2(np.hypot(x, y), z)))
     return Hover(panel_key, hit.layer.part, (x, y, z), rho, delta, hit.deviation, hit.scalar)

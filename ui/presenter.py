@@ -21,6 +21,8 @@ if TYPE_CHECKING:
     from ui.views.wardrobe import Dressed
 
 REDRAW_PAUSE_MS = 15
+PART = " · "
+"""Between the parts of a title."""
 
 
 @retold
@@ -47,6 +49,16 @@ def result_words(result: VariantResult) -> str:
         largest=micrometres(result.statistics.max_um),
         mean=micrometres(result.statistics.mean_um),
     )
+
+
+def exaggerated_words(words: str, factor: int) -> str:
+    """A view's words with what its shape is to be taken for."""
+    if factor == 1:
+        return words
+    from ui.views.factors import factor_text
+
+    first, *others = words.split(PART)
+    return PART.join([first, tr("deviation {factor}", factor=factor_text(factor)), *others])
 
 
 def largest_of(results: Iterable[VariantResult]) -> float:
@@ -104,6 +116,7 @@ class Presenter(QObject):
             own = (*dressed[key].layers, *contours[key]) if key in dressed else ()
             note = dressed[key].note if key in dressed else ""
             words = note if note and key in session.current else view_subtitle(session, key)
+            words = exaggerated_words(words, self._wardrobe.factor) if key in dressed else words
             panels.append(Panel(key.method, view_title(key), words, (*shared, *own)))
         if _same_layers(panels, grid.panels):
             grid.set_titles({panel.key: (panel.title, panel.subtitle) for panel in panels})
@@ -139,6 +152,7 @@ class Presenter(QObject):
             return
         from ui.views.quantities import quantity_of, typical_range
 
+        bar.show_exaggeration(self._wardrobe.factor)
         if quantity_of(grid.appearance).is_deviation:
             bar.set_data_limit(largest_of(self._session.results[key] for key in dressed))
             return

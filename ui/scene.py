@@ -105,7 +105,7 @@ def _theory(member: MemberGeometry) -> list[Layer]:
         made.append(
             _surface("theory_flank", name, grid, Style(look.MINT, opacity=0.5, gloss=0.3, lift=1), flank.normals(u, v))
         )
-        made.append(_paths("theory_flank", f"{name} edge", [_border(grid)], Style(look.MINT, width=1.8, lift=2)))
+        made.append(_paths("theory_flank", f"{name} edge", [border_of(grid)], Style(look.MINT, width=1.8, lift=2)))
     return made
 
 
@@ -139,7 +139,7 @@ def _cad_flank(name: str, flank: FlankResult) -> list[Layer]:
     normals = grid_normals(grid).reshape(-1, 3)
     points, cells = grid.reshape(-1, 3), grid_triangles(*grid.shape[:2])
     deviation = np.asarray(flank.deviation_um, dtype=np.float64).ravel()
-    edge = _border(grid)
+    edge = border_of(grid)
     return [
         Layer("deviation", name, "surface", points, _MAP, cells, normals, deviation),
         _paths("deviation", f"{name} edge", [edge], _EDGE),
@@ -267,6 +267,6 @@ def _paths(layer_id: str, part: str, paths: list[Floats], style: Style) -> Layer
     return Layer(layer_id, part, "lines", np.concatenate(paths), style, cells)
 
 
-def _border(grid: Floats) -> Floats:
+def border_of(grid: Floats) -> Floats:
     """The closed border of a grid, shape (n, 3)."""
     return np.concatenate([grid[:, 0], grid[-1, 1:], grid[-2::-1, -1], grid[0, -2::-1]])

@@ -272,8 +272,10 @@ class ViewGrid(QWidget):
 
     def place_markers(self) -> None:
         """Put the markers where their points are seen now."""
-        hover, pin = self.pointing.hover, None if self.pointing.pin is None else self.pointing.pin_place
-        self.overlays.point(self.viewport, len(self._panels), None if hover is None else hover.xyz, pin)
+        pointing = self.pointing
+        hover = None if pointing.hover is None else pointing.hover_place
+        pin = None if pointing.pin is None else pointing.pin_place
+        self.overlays.point(self.viewport, len(self._panels), hover, pin)
 
     def place_overlays(self) -> None:
         """Put titles, values and bars where they belong."""

@@ -7,7 +7,7 @@ from html import escape
 
 import numpy as np
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt
-from PySide6.QtGui import QColor, QFont, QPainter, QPaintEvent, QPen
+from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QLabel, QWidget
 
 from ui import units
@@ -15,6 +15,14 @@ from ui.camera import Camera
 from ui.theme import DARK, LIGHT, Tokens
 
 MARGIN = 10
+PLATE_ALPHA = 215
+"""Words over the views stand on a plate through which the gear is just seen."""
+LEAST_TITLE = 90
+"""Narrower panes have no title that does not fit [pixels]."""
+DOT = " · "
+"""Between the parts of a title."""
+_PLATE = 11
+"""Padding and border at the sides of a title."""
 
 
 class _Overlay(QWidget):
@@ -40,6 +48,7 @@ class PaneTitle(QLabel):
         self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
         self.setTextFormat(Qt.TextFormat.RichText)
         self._text = ("", "")
+        self._lines: tuple[tuple[str, ...], tuple[str, ...]] = ("",), ("",)
         self._colors = LIGHT
 
     def set_theme(self, dark: bool) -> None:
@@ -47,7 +56,7 @@ class PaneTitle(QLabel):
         self._colors = DARK if dark else LIGHT
         red, green, blue, _ = QColor(self._colors.surface).getRgb()
         self.setStyleSheet(
-            f"PaneTitle {{ background: rgba({red},{green},{blue},205); color: {self._colors.text};"
+            f"PaneTitle {{ background: rgba({red},{green},{blue},{PLATE_ALPHA}); color: {self._colors.text};"
             f" border: 1px solid {self._colors.border}; border-radius: 7px; padding: 4px 9px; }}"
         )
         self._compose()
@@ -56,27 +65,58 @@ class PaneTitle(QLabel):
         """Show a title and, smaller, what belongs to it."""
         if (title, subtitle) != self._text:
             self._text = (title, subtitle)
+            self._lines = (title,), (subtitle,)
             self._compose()
 
     def fit(self, width: int) -> None:
-        """Take the text's own size, or break its lines where there is not so much room."""
-        self.setWordWrap(False)
-        if self.sizeHint().width() <= width:
-            self.resize(self.sizeHint())
-        else:
-            self.setWordWrap(True)
-            self.resize(width, self.heightForWidth(width))
+        """Take the text's own size; where there is not so much room, leave out what matters least."""
+        bold = QFont(self.font())
+        bold.setWeight(QFont.Weight.DemiBold)
+        title, subtitle = self._text
+        room = float(width - 2 * _PLATE)
+        lines = (
+            fitted(title, QFontMetricsF(bold), room, breaks=True),
+            fitted(subtitle, QFontMetricsF(self.font()), room),
+        )
+        if lines != self._lines:
+            self._lines = lines
+            self._compose()
+        self.resize(min(self.sizeHint().width(), width), self.sizeHint().height())
 
     @property
     def empty(self) -> bool:
         """Whether there is nothing to show."""
         return not any(self._text)
 
+    @property
+    def whole(self) -> str:
+        """All the words, also those that are left out."""
+        return "\n".join(text for text in self._text if text)
+
+    @property
+    def shortened(self) -> bool:
+        """Whether something is left out."""
+        return [DOT.join(lines) for lines in self._lines] != list(self._text)
+
     def _compose(self) -> None:
-        title, subtitle = (escape(text) for text in self._text)
+        title, subtitle = ("<br>".join(escape(line) for line in lines) for lines in self._lines)
         second = f'<br><span style="color:{self._colors.muted}">{subtitle}</span>' if subtitle else ""
-        self.setText(f'<span style="font-weight:600">{title}</span>{second}')
+        self.setText(f'<span style="font-weight:600">{title}</span>{second}' if title or subtitle else "")
+        self.setAccessibleName(self.whole)
         self.adjustSize()
+
+
+def fitted(text: str, metrics: QFontMetricsF, room: float, breaks: bool = False) -> tuple[str, ...]:
+    """Of a text's parts, which dots join, as many as fit in a line; the first matter most.
+
+    With ``breaks`` the others have a line each.
+    """
+    parts = text.split(DOT)
+    shown = len(parts)
+    while shown > 1 and metrics.horizontalAdvance(DOT.join(parts[:shown])) > room:
+        shown -= 1
+    lines = [DOT.join(parts[:shown]), *(parts[shown:] if breaks else ())]
+    return tuple(metrics.elidedText(line, Qt.TextElideMode.ElideRight, room) for line in lines)
 
 
 class Marker(_Overlay):
@@ -164,6 +204,12 @@ class ScaleBar(_Overlay):
             font.setPointSizeF(max(font.pointSizeF() * 0.92, 7.0))
             painter.setFont(font)
             width, ground = self.length * units.factor("mm") * self._per_mm, self.height() - 5.0
+            plate = QColor(self.colors.surface)
+            plate.setAlpha(PLATE_ALPHA)
+            wide = max(width, painter.fontMetrics().horizontalAdvance(self.label))
+            painter.setPen(Qt.PenStyle.NoPen)
+            painter.setBrush(plate)
+            painter.drawRoundedRect(QRectF(0, 0, wide + 8, self.height()), 5, 5)
             painter.setPen(QPen(QColor(self.colors.text), 1.6))
             painter.drawLine(QPointF(4, ground), QPointF(4 + width, ground))
             for x in (4.0, 4.0 + width):

@@ -12,6 +12,7 @@ from gearstudio.words import ENGLISH, LANGUAGES
 MODES = ("flanks", "gear", "pair")
 QUANTITIES = ("deviation", "gaussian", "mean", "largest", "smallest")
 LEAST, MOST, MOST_SCALE = 64, 8192, 4
+MOST_FACTOR = 10**8
 TakePicture = Callable[[argparse.Namespace], int]
 
 
@@ -35,11 +36,27 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--color", choices=QUANTITIES, default="deviation", help="what colours flanks; default: deviation"
     )
+    parser.add_argument(
+        "--exaggerate",
+        type=factor,
+        default=1,
+        metavar="N",
+        help="draw flanks with N times their deviation, or auto; default: 1",
+    )
     add("--theme", choices=("light", "dark"), default="light", help="default: light")
     add("--parallel", action="store_true", help="without perspective")
     add("--transparent", action="store_true", help="clear where nothing is")
     add("--no-labels", action="store_true", help="without titles, axes and scales")
     add("--language", choices=LANGUAGES, default=ENGLISH, help="of the labels; default: en")
+
+
+def factor(text: str) -> int:
+    """A whole number from 1 on; 0 for ``auto``."""
+    if text == "auto":
+        return 0
+    if not (text.isdecimal() and 1 <= int(text) <= MOST_FACTOR):
+        raise argparse.ArgumentTypeError(f"{text[:20]} is no factor; use auto or a number from 1 to {MOST_FACTOR}")
+    return int(text)
 
 
 def size(text: str) -> tuple[int, int]:

@@ -26,7 +26,11 @@ def measured_layers(measurement: Measurement, tooth: int = ALL_TEETH) -> tuple[L
     own = result.pose.undo(result.points[chosen])
     error = result.deviation_um[chosen]
     every = max(1, len(chosen) // MOST_POINTS)
-    points = Layer(SOLID, "measured points", "points", own[::every], _POINTS, scalars=error[::every])
+    few = chosen[::every]
+    assigned = Assignment(result.side[few], result.tooth[few])
+    outward = normals_at(measurement.member, own[::every], assigned)
+    offset = 1e-3 * error[::every, None] * outward
+    points = Layer(SOLID, "measured points", "points", own[::every], _POINTS, scalars=error[::every], offset=offset)
     return (*_net_layer(measurement, chosen, own, error), points)
 
 
@@ -43,7 +47,8 @@ def _net_layer(measurement: Measurement, chosen: NDArray[np.intp], own: Floats, 
     firsts = np.cumsum([0, *(len(part[0]) for part in parts)])
     cells = np.concatenate([part[1] + first for part, first in zip(parts, firsts, strict=False)])
     points, normals, scalars = (np.concatenate([part[k] for part in parts]) for k in (0, 2, 3))
-    return (Layer(SOLID, "measured nets", "surface", points, _NET, cells, normals, scalars),)
+    offset = 1e-3 * scalars[:, None] * normals
+    return (Layer(SOLID, "measured nets", "surface", points, _NET, cells, normals, scalars, offset=offset),)
 
 
 def _net(

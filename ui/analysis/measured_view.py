@@ -12,7 +12,9 @@ from PySide6.QtWidgets import QHBoxLayout, QWidget
 from gearstudio.theory.cones import MemberGeometry
 from ui.charts.export import Paint
 from ui.charts.records import Table
+from ui.presenter import exaggerated_words
 from ui.theme import is_dark
+from ui.views.factors import AUTOMATIC, OFF
 from ui.words import tr
 
 if TYPE_CHECKING:
@@ -32,7 +34,9 @@ class MeasuredView(QWidget):
         self.bar: ColorBar | None = None
         self.numbers: Callable[[], Table] = lambda: Table((), ())
         self._waiting: tuple[MemberGeometry, tuple[Layer, ...], str, float] | None = None
+        self._shown = self._waiting
         self._closed = False
+        self.exaggeration = OFF
         self._row = QHBoxLayout(self)
         self._row.setContentsMargins(0, 0, 0, 0)
         self._row.setSpacing(0)
@@ -63,9 +67,15 @@ class MeasuredView(QWidget):
         if self.isVisible():
             self._draw()
 
+    def exaggerate(self, wanted: int) -> None:
+        """Draw deviations so many times as large, along the normal; `factors.AUTOMATIC` for what suits them."""
+        self.exaggeration, self._waiting = wanted, self._waiting or self._shown
+        if self.isVisible():
+            self._draw()
+
     def clear(self) -> None:
         """Show nothing."""
-        self._waiting = None
+        self._waiting = self._shown = None
         if self.grid is not None:
             self.grid.set_panels(())
 
@@ -89,11 +99,18 @@ class MeasuredView(QWidget):
             return
         from ui.layers import Panel
         from ui.scene import member_layers
+        from ui.views.exaggeration import stretched, suitable
 
-        member, layers, title, largest = self._waiting
+        member, layers, title, largest = self._shown = self._waiting
         self._waiting = None
         grid, bar = self._made()
-        grid.set_panels((Panel(NAME, tr("Measured points"), title, (*member_layers(member), *layers)),))
+        factor = self.exaggeration
+        if factor == AUTOMATIC:
+            factor = suitable(member.addendum + member.dedendum, largest)
+        drawn = stretched(layers, factor)
+        words = exaggerated_words(title, factor)
+        grid.set_panels((Panel(NAME, tr("Measured points"), words, (*member_layers(member), *drawn)),))
+        bar.show_exaggeration(factor)
         bar.set_data_limit(largest)
         self._color(*bar.range)
 

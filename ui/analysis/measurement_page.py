@@ -24,6 +24,8 @@ from ui.charts.maps import MapData
 from ui.formatting import micrometres
 from ui.method_bar import Segments
 from ui.session import Session
+from ui.views.factors import factor_rows
+from ui.views.quiet import QuietChoice
 from ui.words import told, tr
 
 NOMINAL_GRID = (9, 5)
@@ -66,7 +68,12 @@ class MeasurementPage(QWidget):
         self.teeth.setToolTip(tr("The tooth that is drawn"))
         self.teeth.setAccessibleName(tr("Tooth"))
         self.frame.add_control(self.views)
+        self.exaggeration = QuietChoice(
+            factor_rows(), tr("Exaggerate"), tr("Draw deviations so many times as large, along the normal")
+        )
+        self.exaggeration.chosen.connect(self.space.exaggerate)
         self.frame.add_control(self.teeth)
+        self.frame.add_control(self.exaggeration)
         layout = QHBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.setSpacing(0)
@@ -198,6 +205,7 @@ class MeasurementPage(QWidget):
         """The choice of a tooth, where there is one, and what the bars mean."""
         pitch = self.frame.chart is self.pitch
         self.teeth.setVisible(not pitch and self.teeth.count() > 2)
+        self.exaggeration.setVisible(self.frame.chart is self.space)
         self.frame.set_hint(self._hint if self.frame.chart is self.bars else "")
 
     @property

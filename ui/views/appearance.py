@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field, fields, replace
 from typing import Any, Literal
 
+from ui.views.factors import AUTOMATIC, FACTORS, OFF
 from ui.views.zebra import FEWEST, MOST, Stripes
 
 Against = Literal["", "absolute", "relative"]
@@ -46,6 +47,8 @@ class Appearance:
     contours, edges, scale_bar, axes, linked, parallel, zebra : bool
     unit : str
         Of deviations.
+    exaggeration : int
+        Flanks are drawn with their deviation so many times as large; 1 as they are, 0 for what suits them.
     ground : str
     stripes : Stripes
     combs : str
@@ -61,6 +64,7 @@ class Appearance:
     steps: int = 0
     contours: bool = False
     unit: Unit = "auto"
+    exaggeration: int = OFF
     edges: bool = True
     zebra: bool = False
     stripes: Stripes = field(default_factory=Stripes)
@@ -110,6 +114,7 @@ _CHOICES: dict[str, tuple[object, ...]] = {
     "against": ("", "absolute", "relative"),
     "colors": ("auto", "balance", "purple_green", "dusk", "grey"),
     "steps": (0, 6, 8, 10, 12, 16, 20),
+    "exaggeration": (OFF, AUTOMATIC, *FACTORS),
     "unit": ("auto", "um", "nm", "uin"),
     "combs": ("profile", "lengthwise"),
     "ground": ("theme", *GROUNDS),

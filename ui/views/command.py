@@ -70,7 +70,7 @@ def _views(design: Design, args: argparse.Namespace, progress: Progress) -> tupl
     from ui.views.still import StillViewport
 
     grid, bar = ViewGrid(make_viewport=StillViewport), ColorBar()
-    appearance = Appearance(quantity=args.color, parallel=args.parallel)
+    appearance = Appearance(quantity=args.color, parallel=args.parallel, exaggeration=args.exaggerate)
     beside = bar.sizeHint().width() if has_scale(args) else 0
     lay_out(grid, QSize(args.size[0] - beside, args.size[1]))
     grid.set_theme(args.theme == "dark")
@@ -89,24 +89,27 @@ def _show_flanks(design: Design, args: argparse.Namespace, progress: Progress, g
     from gearstudio.jobs import BuildJob
     from gearstudio.theory.cones import pair_geometry
     from ui.layers import Panel
-    from ui.presenter import largest_of, result_words, view_title
+    from ui.presenter import exaggerated_words, largest_of, result_words, view_title
     from ui.scene import member_layers, result_layers
     from ui.session import Key
     from ui.views.dressing import dressed
+    from ui.views.exaggeration import displaced, factor_for
     from ui.views.quality import variant_quality
     from ui.views.quantities import quantity_of, typical_range
     from ui.words import tr
 
     member, quantity = pair_geometry(design).member(args.member), quantity_of(grid.appearance)
-    panels, results = [], []
-    for method in METHOD_IDS if args.method == "all" else (args.method,):
-        result = BuildJob(design, args.member, method, args.variant).run(progress)
+    keys = [Key(args.member, m, args.variant) for m in (METHOD_IDS if args.method == "all" else (args.method,))]
+    results = [BuildJob(design, args.member, key.method, args.variant).run(progress) for key in keys]
+    factor = factor_for(args.exaggerate, results)
+    panels = []
+    for key, result in zip(keys, results, strict=True):
         quality = None if quantity.is_deviation else variant_quality(result, member)
-        layers = dressed(result_layers(result), result, quality, grid.appearance, 1.0)
-        below = result_words(result) if quantity.is_deviation else tr(quantity.title)
-        words = view_title(Key(args.member, method, args.variant)), below
-        panels.append(Panel(method, *words, (*member_layers(member), *layers)))
-        results.append(result)
+        bent = displaced(result_layers(result), result, member, factor)
+        layers = dressed(bent, result, quality, grid.appearance, 1.0)
+        below = exaggerated_words(result_words(result) if quantity.is_deviation else tr(quantity.title), factor)
+        panels.append(Panel(key.method, view_title(key), below, (*member_layers(member), *layers)))
+    bar.show_exaggeration(factor)
     if quantity.is_deviation:
         bar.set_data_limit(largest_of(results))
     else:

@@ -12,6 +12,8 @@ from ui.grids import path_segments
 from ui.layers import Layer, Style
 
 Floats = NDArray[np.float64]
+_FLAT = 0.02
+"""A surface whose values run over less of the step between two levels has no contours but noise."""
 _LINE = Style(look.INK, width=1.1, lift=3)
 
 
@@ -28,6 +30,10 @@ def contour_segments(layer: Layer, levels: Sequence[float]) -> Floats:
         return np.empty((0, 2, 3))
     values, corners = layer.scalars[layer.cells], layer.points[layer.cells]
     low, high = values.min(axis=1), values.max(axis=1)
+    if len(levels) > 1 and np.nanmax(high, initial=-np.inf) - np.nanmin(low, initial=np.inf) < _FLAT * np.ptp(
+        levels[:2]
+    ):
+        return np.empty((0, 2, 3))
     pieces = []
     for level in levels:
         crossed = (low < level) & (high >= level)  # NaN compares as False

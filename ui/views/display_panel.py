@@ -6,7 +6,7 @@ import math
 from dataclasses import replace
 from typing import Any
 
-from PySide6.QtCore import QSignalBlocker, Qt, Signal
+from PySide6.QtCore import QSignalBlocker, Signal
 from PySide6.QtWidgets import (
     QCheckBox,
     QFormLayout,
@@ -14,14 +14,16 @@ from PySide6.QtWidgets import (
     QHBoxLayout,
     QLabel,
     QPushButton,
-    QScrollArea,
+    QSizePolicy,
     QToolButton,
     QVBoxLayout,
     QWidget,
 )
 
+from ui.card import UprightScroll
 from ui.theme import set_icon
 from ui.views.appearance import STEPS, Appearance
+from ui.views.factors import factor_rows
 from ui.views.quantities import CURVATURES
 from ui.views.quiet import QuietChoice, QuietSlider
 from ui.views.zebra import FEWEST, MOST
@@ -52,7 +54,7 @@ class DisplayPanel(QFrame):
         self._boxes: dict[str, QCheckBox] = {}
         self.setObjectName("display_panel")
         self.setAccessibleName(tr("Display"))
-        self.setFixedWidth(WIDTH)
+        self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Preferred)
         page = QWidget()
         page.setProperty("role", "page")
         self._form = QFormLayout(page)
@@ -63,16 +65,11 @@ class DisplayPanel(QFrame):
         self._fill_colors()
         self._fill_quality()
         self._fill_view()
-        scroll = QScrollArea()
-        scroll.setWidgetResizable(True)
-        scroll.setFrameShape(QFrame.Shape.NoFrame)
-        scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        scroll.setWidget(page)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(1, 4, 1, 4)
         layout.setSpacing(0)
         layout.addLayout(self._header())
-        layout.addWidget(scroll, 1)
+        layout.addWidget(UprightScroll(page, WIDTH), 1)
         self.show_appearance(self._appearance)
 
     def show_appearance(self, appearance: Appearance) -> None:
@@ -134,6 +131,8 @@ class DisplayPanel(QFrame):
         self._choose("steps", tr("Number"), steps, tr("How many colours"))
         units = [("auto", tr("Automatic")), ("um", "µm"), ("nm", "nm"), ("uin", "µin")]
         self._choose("unit", tr("Unit"), units, tr("Unit of deviations on the colour scale and in the views"))
+        tip = tr("Draw the CAD flanks with their deviation so many times as large, along the normal")
+        self._choose("exaggeration", tr("Exaggerate"), factor_rows(), tip)
         self._box("contours", tr("Contour lines"), tr("Lines of equal value at the marks of the colour scale"))
 
     def _fill_quality(self) -> None:

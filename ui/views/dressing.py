@@ -66,13 +66,16 @@ def dressed(
             scalars = np.full(len(layer.points), np.nan)
         if quality is not None and layer.part in quality:
             one = quality[layer.part]
-            normals = _facing_like(one.normals.reshape(-1, 3), layer.normals)
+            if layer.true_points is None:
+                normals = _facing_like(one.normals.reshape(-1, 3), layer.normals)
             if layer.layer_id == COLORED and not quantity.is_deviation:
                 scalars = one.values(appearance.quantity, appearance.against).ravel()
         made.append(replace(layer, scalars=scalars, normals=normals, deviation=deviation))
     if quality is not None:
+        drawn = {layer.part: layer.points for layer in layers if layer.kind == "surface" and layer.layer_id == COLORED}
         for name, one in quality.items():
             points = result.flanks[name].points
+            points = drawn[name].reshape(points.shape) if name in drawn else points
             made += combs(name, points, one, appearance, typical)
             made.append(arrows(name, points, one.normals))
     return tuple(layer for layer in made if len(layer.points))

@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike
 from PySide6.QtCore import QEvent, QObject, QPointF, Qt, QTimer, Signal
-from PySide6.QtGui import QKeyEvent
+from PySide6.QtGui import QHelpEvent, QKeyEvent
+from PySide6.QtWidgets import QToolTip
 
 from ui.layers import Layer
 from ui.picking import Hit, Hover, describe, first_hit
@@ -34,7 +35,8 @@ class Pointing(QObject):
     hovered = Signal(object)
     picked = Signal(object)
     pin: Hover | None = None
-    pin_place = (0.0, 0.0, 0.0)
+    hover_place = pin_place = (0.0, 0.0, 0.0)
+    """Where the points are drawn in the view."""
 
     def __init__(self, grid: ViewGrid) -> None:
         super().__init__(grid)
@@ -97,7 +99,9 @@ class Pointing(QObject):
             self._grid.place_markers()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Escape takes the marker away before it means anything else."""
+        """Escape takes the marker away before it means anything else; a shortened title is told in full."""
+        if event.type() == QEvent.Type.ToolTip and isinstance(event, QHelpEvent):
+            self._tell_title(event)
         if self.pin is not None and isinstance(event, QKeyEvent) and event.key() == Qt.Key.Key_Escape:
             if event.type() == QEvent.Type.ShortcutOverride:
                 event.accept()
@@ -106,6 +110,12 @@ class Pointing(QObject):
                 self.drop_pin()
                 return True
         return False
+
+    def _tell_title(self, event: QHelpEvent) -> None:
+        """Titles let the mouse through, so what lies below them has to tell."""
+        for title in self._grid.overlays.titles:
+            if title.isVisible() and title.shortened and title.geometry().contains(event.pos()):
+                QToolTip.showText(event.globalPos(), title.whole, self._grid)
 
     def _on_moved(self, position: QPointF) -> None:
         self._pointer = position
@@ -123,7 +133,7 @@ class Pointing(QObject):
         if hit is None:
             self.clear(keep_pointer=True)
             return
-        self.hover = describe(hit, grid.panels[pane].key)
+        self.hover, self.hover_place = describe(hit, grid.panels[pane].key), _xyz(hit.point)
         self._show_values(hit, pane)
         grid.place_markers()
         grid.place_overlays()
@@ -154,7 +164,7 @@ class Pointing(QObject):
         pane, x, y = grid.viewport.pane_at(position)
         hit = self._hit(pane, x, y) if pane < len(grid.panels) else None
         if hit is not None:
-            self.put_pin(describe(hit, grid.panels[pane].key))
+            self.put_pin(describe(hit, grid.panels[pane].key), hit.point)
 
 
 def _xyz(point: ArrayLike) -> tuple[float, float, float]:

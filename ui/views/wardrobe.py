@@ -44,6 +44,8 @@ class Wardrobe(QObject):
         super().__init__(parent)
         self._quality = SurfaceQuality(self)
         self._quality.changed.connect(self.changed)
+        self.factor = 1
+        self._bent: dict[Key, tuple[tuple[object, ...], tuple[Layer, ...]]] = {}
         self._worn: dict[Key, tuple[tuple[object, ...], Dressed]] = {}
         self._lines: dict[tuple[int, tuple[float, ...]], tuple[Layer, Layer]] = {}
 
@@ -54,9 +56,12 @@ class Wardrobe(QObject):
     def dress(
         self, made: Made, member: MemberGeometry, appearance: Appearance, visible: Collection[str]
     ) -> dict[Key, Dressed]:
-        """Layers and words of each result."""
+        """Layers and words of each result; ``factor`` tells how much larger their deviation is drawn."""
+        from ui.views.exaggeration import factor_for
         from ui.views.quantities import quantity_of
 
+        self.factor = factor_for(appearance.exaggeration, [result for result, _ in made.values()])
+        made = self._displaced(made, member)
         colored = not quantity_of(appearance).is_deviation
         if not made or not (colored or appearance.zebra or {"combs", "normals"} & set(visible)):
             self._worn.clear()
@@ -66,10 +71,22 @@ class Wardrobe(QObject):
         wanted = (appearance.quantity, appearance.against, appearance.combs, appearance.comb_scale, typical)
         self._worn = {key: worn for key, worn in self._worn.items() if key in made}
         for key, (result, layers) in made.items():
-            label = (id(result), id(found[key]), wanted)
+            label = (id(layers), id(found[key]), wanted)
             if key not in self._worn or self._worn[key][0] != label:
                 self._worn[key] = (label, _dressed(layers, result, found[key], appearance, typical))
         return {key: self._worn[key][1] for key in made}
+
+    def _displaced(self, made: Made, member: MemberGeometry) -> Made:
+        from ui.views.exaggeration import displaced
+
+        kept = {}
+        for key, (result, layers) in made.items():
+            label = (result, layers, self.factor)
+            held = self._bent.get(key)
+            same = held is not None and all(one is other for one, other in zip(held[0], label, strict=True))
+            kept[key] = held if same and held is not None else (label, displaced(layers, result, member, self.factor))
+        self._bent = kept
+        return {key: (made[key][0], layers) for key, (_, layers) in kept.items()}
 
     def contours(self, dressed: Mapping[Key, Dressed], levels: tuple[float, ...]) -> dict[Key, tuple[Layer, ...]]:
         """Lines of equal value on every coloured surface."""
