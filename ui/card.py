@@ -2,8 +2,29 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QSize, Qt
 from PySide6.QtWidgets import QFrame, QScrollArea, QVBoxLayout, QWidget
+
+
+class UprightScroll(QScrollArea):
+    """Scrolls a page up and down only: it is never narrower than the page needs, nor than ``least`` pixels."""
+
+    def __init__(self, page: QWidget, least: int = 0, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._least = least
+        self.setWidgetResizable(True)
+        self.setFrameShape(QFrame.Shape.NoFrame)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.setWidget(page)
+
+    def minimumSizeHint(self) -> QSize:
+        """The page's least width beside the scroll bar."""
+        bar = self.verticalScrollBar().sizeHint().width()
+        width = max(self._least, self.widget().minimumSizeHint().width() + bar)
+        return QSize(width, super().minimumSizeHint().height())
+
+    def sizeHint(self) -> QSize:
+        return super().sizeHint().expandedTo(self.minimumSizeHint())
 
 
 class ScrollCard(QFrame):
@@ -17,11 +38,6 @@ class ScrollCard(QFrame):
         self.rows = QVBoxLayout(page)
         self.rows.setContentsMargins(*margins)
         self.rows.setSpacing(7)
-        scroll = QScrollArea()
-        scroll.setWidgetResizable(True)
-        scroll.setFrameShape(QFrame.Shape.NoFrame)
-        scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        scroll.setWidget(page)
         inside = QVBoxLayout(self)
         inside.setContentsMargins(1, 2, 1, 2)
-        inside.addWidget(scroll)
+        inside.addWidget(UprightScroll(page))

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from PySide6.QtCore import QAbstractTableModel, QEvent, QItemSelectionModel, QModelIndex, Qt, Signal
-from PySide6.QtGui import QBrush, QColor, QFont, QFontMetrics
+from PySide6.QtGui import QBrush, QColor, QFont, QFontMetrics, QResizeEvent
 from PySide6.QtWidgets import QAbstractItemView, QFrame, QHeaderView, QLabel, QTableView, QVBoxLayout, QWidget
 
 from gearstudio.catalogue import METHOD_IDS, VARIANTS
@@ -51,7 +51,7 @@ COLUMNS = (
     Column("Settings", "What the construction took", lambda r: settings_text(r.settings), ""),
 )
 METHOD, VARIANT, FIRST = 0, 1, 2
-CELL_PADDING = 17
+CELL_PADDING, MOST_SETTINGS = 17, 400
 SETTINGS = FIRST + len(COLUMNS) - 1
 _LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
 _RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
@@ -179,6 +179,7 @@ class ComparisonTable(QWidget):
     def refresh(self) -> None:
         """Show the session's results again, and below them what a method could not follow."""
         self.model.refresh()
+        self._fit_settings()
         text = "; ".join(self.model.shortcomings())
         if text != self.note.text():
             self.note.setText(text)
@@ -222,6 +223,20 @@ class ComparisonTable(QWidget):
         for column, texts in enumerate(widest):
             width = max(metrics.horizontalAdvance(text) for text in texts)
             self.view.setColumnWidth(column, width + CELL_PADDING)
+        self._fit_settings()
+
+    def _fit_settings(self) -> None:
+        """The rest of the width for the last column, or as much as its texts need."""
+        others = sum(self.view.columnWidth(column) for column in range(SETTINGS))
+        texts = [str(self.model.index(row, SETTINGS).data()) for row in range(self.model.rowCount())]
+        texts.append(tr(COLUMNS[-1].title))
+        needed = max(map(self.view.fontMetrics().horizontalAdvance, texts)) + CELL_PADDING
+        rest = self.view.viewport().width() - others
+        self.view.setColumnWidth(SETTINGS, max(rest, min(needed, MOST_SETTINGS)))
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._fit_settings()
 
     def _on_activated(self, index: QModelIndex) -> None:
         if len(self.view.selectionModel().selectedRows()) <= 1:
@@ -245,7 +260,6 @@ def _make_view(model: ComparisonModel) -> QTableView:
     header = view.horizontalHeader()
     header.setHighlightSections(False)
     header.setSectionResizeMode(QHeaderView.ResizeMode.Interactive)
-    header.setSectionResizeMode(SETTINGS, QHeaderView.ResizeMode.Stretch)
     header.setMinimumSectionSize(40)
     return view
 

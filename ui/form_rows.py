@@ -54,7 +54,6 @@ class FieldRow(QWidget):
         self.reset = self._make_reset()
         self._label = QLabel(tr(spec.title))
         self._label.setWordWrap(True)
-        self._label.setFixedWidth(LABEL_WIDTH)
         self._label.setBuddy(self.field)
         self._message = _message_label()
         self._unit = QLabel()
@@ -64,6 +63,15 @@ class FieldRow(QWidget):
         if isinstance(self.field, NumberField):
             self.field.editingFinished.connect(lambda: self.say(self._issues))
         self.show_units()
+
+    @property
+    def longest_word(self) -> int:
+        """Width of the label's longest word [pixels]."""
+        return max(map(self._label.fontMetrics().horizontalAdvance, self._label.text().split()))
+
+    def set_label_width(self, width: int) -> None:
+        """Keep room for the label [pixels]; longer titles break between words."""
+        self._label.setFixedWidth(width)
 
     @property
     def message(self) -> str:

@@ -25,7 +25,7 @@ from ui.view_area import ViewArea
 from ui.wheel_guard import guard_wheel
 from ui.words import noted, tr
 
-LAYOUT_VERSION = 3
+LAYOUT_VERSION = 4
 LEAST = QSize(1280, 720)
 ROOMY_WIDTH = 1500
 """From this width on the list of layers is open from the start."""
@@ -160,9 +160,18 @@ class MainWindow(QMainWindow):
         self.resizeDocks([parameters, derived], [62, 38], Qt.Orientation.Vertical)
         self.resizeDocks([parameters, layers], [FORM_WIDTH, LAYERS_WIDTH], Qt.Orientation.Horizontal)
         self.analysis.expand.setChecked(False)
+        for dock in self.findChildren(QDockWidget):
+            if dock not in (*self._docks, self._solid_dock):
+                self.add_low_dock(dock)
         self._fit_analysis()
         self._layers_shown = not layers.isHidden()
         self.show_solid_mode(solid)
+
+    def add_low_dock(self, dock: QDockWidget) -> None:
+        """Take a panel that is rarely wanted: behind the analysis, with a tab for each while it is open."""
+        dock.setFloating(False)
+        self.tabifyDockWidget(list(self._docks)[-1], dock)
+        dock.hide()
 
     def _fit_analysis(self) -> None:
         """Room for what is in sight below the views: the table as it is, a chart as large as it needs."""

@@ -104,6 +104,7 @@ class ModificationTable(QWidget):
             row = 2 + kinds.index(kind)
             if grid.itemAtPosition(row, 0) is None:
                 grid.addWidget(_title(cell.spec), row, 0)
+                grid.setColumnMinimumWidth(0, max(grid.columnMinimumWidth(0), cell.longest_word))
             grid.addWidget(cell, row, 1 + flanks.index((member, flank)))
             cell.said.connect(self._tell)
         grid.addWidget(self._note, 2 + len(kinds), 0, 1, 1 + len(flanks))
@@ -124,7 +125,7 @@ def _title(spec: FieldSpec) -> QLabel:
     unit = unit_shown(spec.unit)
     label = QLabel(f"{tr(spec.title)} [{unit}]" if unit else tr(spec.title))
     label.setWordWrap(True)
-    label.setFixedWidth(LABEL_WIDTH)
+    label.setMinimumWidth(LABEL_WIDTH)
     label.setToolTip(tr(spec.description))
     return label
 

@@ -8,12 +8,13 @@ from itertools import groupby
 from typing import Any
 
 from PySide6.QtCore import Qt, QTimer, Signal
-from PySide6.QtWidgets import QApplication, QFrame, QLabel, QLineEdit, QPushButton, QScrollArea, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QApplication, QFrame, QLabel, QLineEdit, QPushButton, QVBoxLayout, QWidget
 
 from gearstudio.design import FieldSpec, field_specs
 from gearstudio.errors import Issue
+from ui.card import UprightScroll
 from ui.fields import NumberField, TextField, set_severity
-from ui.form_rows import FieldRow
+from ui.form_rows import LABEL_WIDTH, FieldRow
 from ui.form_section import Section
 from ui.modification_table import MODIFICATIONS, ModificationTable, section_of
 from ui.words import told, tr
@@ -184,7 +185,7 @@ class ParameterForm(QWidget):
         search.textChanged.connect(self.filter)
         return search
 
-    def _make_scroll(self) -> QScrollArea:
+    def _make_scroll(self) -> UprightScroll:
         page = QWidget()
         page.setProperty("role", "page")
         layout = QVBoxLayout(page)
@@ -209,9 +210,8 @@ class ParameterForm(QWidget):
         label_width = max(LABEL_WIDTH, *(row.longest_word for row in self.rows.values()))
         for row in self.rows.values():
             row.set_label_width(label_width)
-        scroll = UprightScroll(page)
+        scroll = UprightScroll(page, MINIMUM_WIDTH)
         scroll.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-        scroll.setMinimumWidth(MINIMUM_WIDTH)
         return scroll
 
     def _make_section(self, group: str) -> Section:

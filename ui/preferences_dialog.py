@@ -75,8 +75,8 @@ class PreferencesDialog(QDialog):
     def _display_page(self) -> QWidget:
         page, form = _page()
         self._choice(form, "length", tr("Lengths in"), UNITS, tr("Shown and typed in this unit; files stay in mm"))
-        note = tr("A value with another unit can always be typed: 3in, 76.2mm. Deviations stay in µm and nm.")
-        _note(form, note)
+        _note(form, tr("A value with another unit can always be typed: 3in, 76.2mm."))
+        _note(form, tr("Deviations stay in µm and nm; the colour scale of the views has µin as well."))
         box = self._number(form, "decimals", tr("Decimals"), 0, MOST_DECIMALS, "")
         box.setSpecialValueText(tr("Automatic"))
         box.setToolTip(tr("Digits after the point of lengths in mm and angles; two more in inches"))
@@ -112,6 +112,7 @@ class PreferencesDialog(QDialog):
         box.setRange(low, high)
         box.setSuffix(unit)
         box.setKeyboardTracking(False)
+        box.lineEdit().setTextMargins(6, 0, 0, 0)
         box.valueChanged.connect(lambda value: self._preferences.set(**{name: value}))
         self._add(form, name, title, box)
         return box

@@ -20,7 +20,7 @@ from PySide6.QtWidgets import (
 
 from ui.fields import set_severity
 from ui.formatting import MEMBER_TITLES, number_text, parse_number
-from ui.materials import CUSTOM, MATERIALS, properties
+from ui.materials import CUSTOM, MATERIALS, density_unit, properties
 from ui.words import tr
 
 if TYPE_CHECKING:
@@ -45,20 +45,19 @@ class PropertiesTable(QWidget):
             self.material.addItem(tr(material.name), material.density)
         self.material.addItem(tr(CUSTOM), None)
         self._density = MATERIALS[0].density
-        self.density_field = QLineEdit(number_text(self._density))
+        self.density_field = QLineEdit()
         self.density_field.setAccessibleName(tr("Density"))
-        self.density_field.setToolTip(tr("Density of the material in kg/m³"))
         self.density_field.setAlignment(Qt.AlignmentFlag.AlignRight)
         self.density_field.setFixedWidth(64)
-        unit = QLabel("kg/m³")
-        unit.setProperty("role", "muted")
+        self._unit = QLabel()
+        self._unit.setProperty("role", "muted")
         self.material.currentIndexChanged.connect(self._on_material)
         self.density_field.textEdited.connect(self._on_density)
         choice = QHBoxLayout()
         choice.setSpacing(6)
         choice.addWidget(self.material, 1)
         choice.addWidget(self.density_field)
-        choice.addWidget(unit)
+        choice.addWidget(self._unit)
         self.table = QTableWidget(0, 2)
         self.table.setAccessibleName(tr("Properties of the solids"))
         self.table.setToolTip(tr("Volume, mass and moments of the solids that are built"))
@@ -79,6 +78,9 @@ class PropertiesTable(QWidget):
         layout.addWidget(heading)
         layout.addLayout(choice)
         layout.addWidget(self.table)
+        self._unit.setText(density_unit()[0])
+        self.density_field.setText(_density_text(self._density))
+        self._say_density()
 
     def show_results(self, results: dict[str, SolidResult | None]) -> None:
         """Show solids by member; None where there is none yet."""
@@ -86,6 +88,14 @@ class PropertiesTable(QWidget):
         self._members, self._results = tuple(results), tuple(results.values())
         if shown != ([*map(id, self._results)], self._members):
             self._refresh()
+
+    def show_units(self) -> None:
+        """Show sizes, density and masses in the units chosen."""
+        unit, _ = density_unit()
+        self._unit.setText(unit)
+        self.density_field.setText(_density_text(self._density))
+        self._say_density()
+        self._refresh()
 
     def text_table(self) -> str:
         """All properties as tab-separated text."""
@@ -99,10 +109,10 @@ class PropertiesTable(QWidget):
         self.table.setHorizontalHeaderLabels(["", *(tr(MEMBER_TITLES[member]) for member in self._members)])
         header = self.table.horizontalHeader()
         for column in range(self.table.columnCount()):
-            mode = QHeaderView.ResizeMode.Stretch if column == 0 else QHeaderView.ResizeMode.Fixed
+            stretched = column == len(self._members)
+            mode = QHeaderView.ResizeMode.Stretch if stretched else QHeaderView.ResizeMode.ResizeToContents
             header.setSectionResizeMode(column, mode)
             if column:
-                self.table.setColumnWidth(column, 60 if len(self._members) > 1 else 110)
                 self.table.horizontalHeaderItem(column).setTextAlignment(_RIGHT)
         self.table.setRowCount(len(rows))
         for index, row in enumerate(rows):
@@ -124,22 +134,34 @@ class PropertiesTable(QWidget):
     def _on_material(self) -> None:
         density = self.material.currentData()
         if density is not None:
-            self.density_field.setText(number_text(density))
+            self.density_field.setText(_density_text(density))
             self._take(density)
 
     def _on_density(self, text: str) -> None:
-        density = parse_number(text)
-        if isinstance(density, str) or not 0 < density <= HEAVIEST:
+        typed, (unit, factor) = parse_number(text), density_unit()
+        if isinstance(typed, str) or not 0 < typed / factor <= HEAVIEST:
             set_severity(self.density_field, "error")
-            self.density_field.setToolTip(tr("A number above 0, at most {most:g} kg/m³", most=HEAVIEST))
+            most = f"{HEAVIEST * factor:.6g} {unit}"
+            self.density_field.setToolTip(tr("A number above 0, at most {most}", most=most))
             return
-        known = [index for index, material in enumerate(MATERIALS) if material.density == density]
+        shown = [_density_text(material.density) for material in MATERIALS]
+        known = [index for index, one in enumerate(shown) if float(one) == typed]
+        density = MATERIALS[known[0]].density if known else typed / factor
         with QSignalBlocker(self.material):
             self.material.setCurrentIndex(known[0] if known else self.material.count() - 1)
         self._take(float(density))
 
+    def _say_density(self) -> None:
+        self.density_field.setToolTip(tr("Density of the material in {unit}", unit=density_unit()[0]))
+
     def _take(self, density: float) -> None:
         set_severity(self.density_field, "")
-        self.density_field.setToolTip("")
+        self._say_density()
         self._density = density
         self._refresh()
+
+
+def _density_text(density: float) -> str:
+    """A density [kg/m³] as one would type it."""
+    _, factor = density_unit()
+    return number_text(density) if factor == 1 else f"{density * factor:.5g}"

@@ -55,6 +55,8 @@ class Status(QStatusBar):
         self._cancel.clicked.connect(self.cancel_requested)
         self._dot = Dot()
         self._worker = QLabel()
+        words = (tr(text) for text, _ in WORKER_STATES.values())
+        self._worker.setMinimumWidth(max(map(self._worker.fontMetrics().horizontalAdvance, words)))
         self._worker.setToolTip(tr("The process that builds flanks and solids"))
         self.addWidget(self.point, 1)
         self._work = _row(self._stage, self._bar, self._cancel)

@@ -6,7 +6,7 @@ import logging
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QObject, Qt
+from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QMessageBox
 
 from ui.log_panel import LogDock
@@ -30,8 +30,8 @@ class Upkeep(QObject):
         super().__init__(window)
         self._window = window
         self.log = LogDock(window)
-        window.addDockWidget(Qt.DockWidgetArea.BottomDockWidgetArea, self.log)
-        self.log.hide()
+        window.add_low_dock(self.log)
+        self.log.toggleViewAction().toggled.connect(lambda on: self.log.raise_() if on else None)
         window.commands.panels.addAction(self.log.toggleViewAction())
         self.memory = MemoryGuard(memory_limit(window.settings), self)
         self.memory.replaced.connect(self._on_replaced)

@@ -106,6 +106,8 @@ class Chart(QWidget):
             self._axes[side].show_axis(axis)
         self._axes["bottom"].setTicks(None if data.ticks is None else [list(data.ticks)])
         self._legend.setText(legend_text(data.legend))
+        for axis in self._axes.values():
+            axis.setStyle(showValues=bool(data.series))
         for band in data.bands:
             self._add_band(band.low, band.high, band.label)
         for reference in data.references:

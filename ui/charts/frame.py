@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QLabel, QSizePolicy, QVB
 from gearstudio.errors import FileError
 from ui.charts.buttons import tool_button
 from ui.charts.export import FILTERS, Paint, clipboard_data, save
+from ui.charts.flow import FlowRow
 from ui.charts.menu import chart_menu
 from ui.charts.records import Table
 from ui.words import noted, told, tr
@@ -75,7 +76,9 @@ class ChartFrame(QWidget):
         self.title = QLabel(title)
         self.title.setProperty("role", "section")
         self.title.setVisible(bool(title))
-        self.head.addWidget(self.title)
+        self._controls = FlowRow()
+        self._controls.add(self.title)
+        self.head.addLayout(self._controls, 1000)
         self.hint = _Hint()
         self.hint.setProperty("role", "muted")
         self.hint.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
@@ -90,7 +93,7 @@ class ChartFrame(QWidget):
 
     def add_control(self, widget: QWidget) -> None:
         """Put a control in the row, before the hint."""
-        self.head.insertWidget(self.head.indexOf(self.hint), widget)
+        self._controls.add(widget)
 
     def set_hint(self, text: str) -> None:
         """A line beside the controls; cut off where there is no room, whole in its tip."""

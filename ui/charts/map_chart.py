@@ -20,6 +20,8 @@ from ui.theme import is_dark
 from ui.words import tr
 
 MOST_LINES, BAR_BLOCKS = 4, 14
+LEAST_ASIDE = 0.05
+"""Room left and right of a map, as a share of its width."""
 
 
 class MapChart(QWidget):
@@ -115,6 +117,8 @@ class _MapPlot(pg.PlotItem):
         self._words = [pg.TextItem(tr(text), anchor=anchor) for text, anchor in _WORDS]
         self._lines = [pg.PlotCurveItem() for _ in range(MOST_LINES)]
         self._drawn: tuple[object, ...] = ()
+        self._inside = QRectF()
+        self.vb.sigResized.connect(lambda *_: self._fit())
         for item in (self._picture, self._outline, *self._lines, *self._words):
             self.addItem(item)
 
@@ -142,7 +146,17 @@ class _MapPlot(pg.PlotItem):
             word.setPos(*place)
             word.setColor(chart_color("muted"))
         low, high = y - max(0.12 * height, one.reach), y + height + max(0.12 * height, one.reach)
-        self.vb.setRange(QRectF(x - 0.15 * width, low, 1.3 * width, high - low), padding=0)
+        self._inside = QRectF(x, low, width, high - low)
+        self._fit()
+
+    def _fit(self) -> None:
+        """Show the map with room for the words beside it."""
+        if self._inside.isEmpty():
+            return
+        words, room = max(word.boundingRect().width() for word in self._words[:2]) + 4, self.vb.width()
+        share = words / (room - 2 * words) if room > 4 * words else 0.5
+        aside = max(share, LEAST_ASIDE) * self._inside.width()
+        self.vb.setRange(self._inside.adjusted(-aside, 0, aside, 0), padding=0)
 
 
 _WORDS: Sequence[tuple[str, tuple[float, float]]] = (

@@ -30,7 +30,7 @@ from ui.words import told, tr
 
 RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
-NOTHING = -1
+NOTHING, MOST_WIDTH = -1, 260
 
 
 class CompareDialog(QDialog):
@@ -39,7 +39,7 @@ class CompareDialog(QDialog):
     def __init__(self, session: Session, recent: tuple[Path, ...], folder: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setWindowTitle(tr("Compare designs"))
-        self.resize(860, 600)
+        self.resize(1000, 600)
         self._session, self._folder = session, folder
         self.lines: tuple[Line, ...] = ()
         self._work = Newest("comparison of designs", self)
@@ -132,6 +132,7 @@ class CompareDialog(QDialog):
         self.words.setText(
             tr("{count} of {all} values differ; the difference is other minus this.", count=count, all=len(self.lines))
         )
+        self.table.horizontalHeader().show()
         self.table.setHorizontalHeaderLabels(
             [tr("Quantity"), tr("Unit"), self._session.title, self.other.currentText(), tr("Difference"), tr("Group")]
         )
@@ -143,6 +144,9 @@ class CompareDialog(QDialog):
                 item.setTextAlignment(RIGHT if column in (2, 3, 4) else LEFT)
                 item.setToolTip(text)
                 self.table.setItem(row, column, item)
+        for column in (2, 3):
+            width = max(self.table.sizeHintForColumn(column), self.table.horizontalHeader().sectionSizeHint(column))
+            self.table.setColumnWidth(column, min(width, MOST_WIDTH))
 
     def _on_finished(self, _result: int) -> None:
         self._session.design_changed.disconnect(self._on_design_changed)
@@ -158,8 +162,9 @@ def _table() -> QTableWidget:
     table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
     table.setWordWrap(False)
     head = table.horizontalHeader()
+    head.hide()
     head.setSectionResizeMode(QHeaderView.ResizeMode.Interactive)
-    for column, width in enumerate((220, 58, 130, 130, 100)):
+    for column, width in enumerate((230, 64, 130, 130, 100)):
         table.setColumnWidth(column, width)
     head.setStretchLastSection(True)
     return table

@@ -54,8 +54,8 @@ def _fields(first: Design, second: Design) -> Iterator[Line]:
         if path == "name":
             continue
         one, other = field_value(first, path), field_value(second, path)
-        group = tr("Parameters: {group}", group=path.rpartition(".")[0].replace(".", " "))
-        yield Line(group, tr(spec.title), spec.unit, _text(one), _text(other), _difference(one, other))
+        group = tr("Parameters: {group}", group=tr(spec.group))
+        yield Line(group, tr(spec.title), tr(spec.unit), _text(one), _text(other), _difference(one, other))
 
 
 def _quantities(first: Any, second: Any) -> Iterator[Line]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QDialog,
@@ -22,6 +22,8 @@ from ui.projects.versions import Version, changed_fields, field_title, recovered
 from ui.words import tr
 
 MOST_FIELDS, MOST_PROBLEMS = 12, 4
+ONE_LINE = 40
+"""Letters of a verdict for which a line is enough."""
 
 
 class RecoveryDialog(QDialog):
@@ -52,6 +54,7 @@ class RecoveryDialog(QDialog):
         self.list.setAccessibleName(tr("Designs with unsaved work"))
         self.list.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
         self.list.header().setSectionResizeMode(QHeaderView.ResizeMode.Stretch)
+        self.list.header().setSectionResizeMode(0, QHeaderView.ResizeMode.ResizeToContents)
         self.list.setWordWrap(True)
         self.details = QLabel()
         self.details.setWordWrap(True)
@@ -93,6 +96,8 @@ class RecoveryDialog(QDialog):
         item.setToolTip(0, str(one.snapshot.path or tr("never saved")))
         for column, version in ((1, saved), (2, recovered)):
             item.setToolTip(column, "\n".join(version.problems))
+        lines = 3 if max(len(version.verdict) for version in (saved, recovered)) > ONE_LINE else 2
+        item.setSizeHint(1, QSize(0, lines * self.list.fontMetrics().lineSpacing() + 10))
         self.list.addTopLevelItem(item)
 
     def _current(self) -> Abandoned | None:

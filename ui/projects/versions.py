@@ -98,9 +98,7 @@ def field_title(field: str) -> str:
     from gearstudio.design import all_field_specs
 
     spec = all_field_specs().get(field)
-    group = field.rpartition(".")[0].replace(".", " ")
-    title = tr(spec.title) if spec else field
-    return f"{title} ({group})" if group else title
+    return f"{tr(spec.title)} ({tr(spec.group)})" if spec else field
 
 
 def short_date(when: datetime) -> str:
