@@ -79,6 +79,10 @@ class JobThread(threading.Thread):
         """End the running job and forget those that wait."""
         self._command(self._cancel)
 
+    def give_up(self, text: str) -> None:
+        """Let the running job fail with this text and replace the process; the others are carried out."""
+        self._command(lambda: self._give_up(text))
+
     def restart(self) -> None:
         """Replace the process, also after it was given up; no job is lost."""
         self._command(self._restart)
@@ -134,6 +138,13 @@ class JobThread(threading.Thread):
         self._tell_count()
         if running is not None:
             self._replace("cancelled", running)
+
+    def _give_up(self, text: str) -> None:
+        running = self._queue.running
+        if running is None:
+            return
+        self._failed(text, "")
+        self._replace("given up", running)
 
     def _restart(self) -> None:
         running = self._queue.running

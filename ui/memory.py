@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, QSettings, QTimer, Signal
 
+from ui.words import tr
+
 if TYPE_CHECKING:
     from ui.runner import JobRunner
 
@@ -16,6 +18,8 @@ LIMIT_KEY = "worker/memory_limit_mb"
 DEFAULT_LIMIT_MB = 4000
 LEAST_LIMIT_MB = 1000
 LOOK_EVERY_MS = 5000
+LOOK_OFTEN_MS = 500
+"""While it works it may grow fast."""
 log = logging.getLogger(__name__)
 
 
@@ -47,7 +51,9 @@ def memory_limit(settings: QSettings | None) -> int:
 
 
 class MemoryGuard(QObject):
-    """Replaces the CAD process when it is at rest and above the limit; no job is lost.
+    """Replaces the CAD process when it is above the limit; its job begins again in a fresh one.
+
+    A job that goes beyond the limit in a process of its own fails: it would do so again.
 
     Signals
     -------
@@ -62,6 +68,7 @@ class MemoryGuard(QObject):
         self._limit_mb = limit_mb
         self._runner: JobRunner | None = None
         self._waiting = 0
+        self._begun = (0, 0)
         self._timer = QTimer(self, interval=LOOK_EVERY_MS)
         self._timer.timeout.connect(self.look)
 
@@ -69,6 +76,7 @@ class MemoryGuard(QObject):
         """Watch the process of this runner."""
         self._runner = runner
         runner.queue_changed.connect(self._on_queue_changed)
+        runner.job_started.connect(self._on_job_started)
         self._timer.start()
 
     def set_limit(self, limit_mb: int) -> None:
@@ -78,13 +86,24 @@ class MemoryGuard(QObject):
 
     def look(self) -> None:
         """Measure, and act on it."""
-        if self._runner is None or self._waiting or not self._limit_mb:
+        runner = self._runner
+        if runner is None or not self._limit_mb or not runner.process_id:
             return
-        megabytes = resident_megabytes(self._runner.process_id) if self._runner.process_id else 0.0
-        if megabytes > self._limit_mb:
-            log.warning("the CAD process has %.0f MB, more than %d MB, and is replaced", megabytes, self._limit_mb)
-            self._runner.restart()
-            self.replaced.emit(megabytes)
+        megabytes = resident_megabytes(runner.process_id)
+        if megabytes <= self._limit_mb:
+            return
+        log.warning("the CAD process has %.0f MB, more than %d MB, and is replaced", megabytes, self._limit_mb)
+        if self._waiting and self._begun == (runner.process_id, 1):
+            runner.give_up(
+                tr(
+                    "this takes more memory than the {limit} MB that the CAD kernel may have; ask for less, or raise "
+                    "the limit in the preferences",
+                    limit=self._limit_mb,
+                )
+            )
+        else:
+            runner.restart()
+        self.replaced.emit(megabytes)
 
     def stop(self) -> None:
         """Watch no more."""
@@ -93,3 +112,9 @@ class MemoryGuard(QObject):
 
     def _on_queue_changed(self, count: int) -> None:
         self._waiting = count
+        self._timer.setInterval(LOOK_OFTEN_MS if count else LOOK_EVERY_MS)
+
+    def _on_job_started(self) -> None:
+        """Count the jobs that a process has begun."""
+        number = self._runner.process_id if self._runner is not None else 0
+        self._begun = (number, self._begun[1] + 1 if self._begun[0] == number else 1)

@@ -112,6 +112,10 @@ class JobRunner(QObject):
         """End the running job at once and forget those that wait, exports included."""
         self._thread.cancel()
 
+    def give_up(self, text: str) -> None:
+        """Let the running job fail with a text fit for the user, and start a new process for those that wait."""
+        self._thread.give_up(text)
+
     @Slot()
     def restart(self) -> None:
         """Start a new process, after the old one was given up or hangs; its job begins again."""

@@ -16,6 +16,7 @@ from PySide6.QtCore import QByteArray, QObject, QRect, QSettings, Signal
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QMessageBox
 
+from tests.ui.runner_watch import Watch
 from tests.ui.stand_ins import Bench
 from tests.worker import fake_jobs as fake
 from ui import graphics
@@ -170,14 +171,19 @@ def test_an_error_is_told_once_however_often_it_comes(qtbot) -> None:
 
 class FakeRunner(QObject):
     queue_changed = Signal(int)
+    job_started = Signal(object)
 
     def __init__(self) -> None:
         super().__init__()
         self.process_id = os.getpid()
         self.restarts = 0
+        self.given_up: list[str] = []
 
     def restart(self) -> None:
         self.restarts += 1
+
+    def give_up(self, text: str) -> None:
+        self.given_up.append(text)
 
 
 def test_memory_is_measured_as_the_system_does() -> None:
@@ -188,10 +194,6 @@ def test_memory_is_measured_as_the_system_does() -> None:
 def test_a_process_above_the_limit_is_replaced_when_it_is_at_rest() -> None:
     runner, guard = FakeRunner(), MemoryGuard(10)
     guard.use(runner)
-    runner.queue_changed.emit(2)
-    guard.look()
-    assert runner.restarts == 0
-    runner.queue_changed.emit(0)
     guard.look()
     assert runner.restarts == 1
     guard.set_limit(100_000)
@@ -202,6 +204,40 @@ def test_a_process_above_the_limit_is_replaced_when_it_is_at_rest() -> None:
     guard.stop()
     guard.look()
     assert runner.restarts == 2
+
+
+def test_a_job_begins_again_in_a_fresh_process_before_it_is_given_up() -> None:
+    runner, guard = FakeRunner(), MemoryGuard(10)
+    guard.use(runner)
+    for _ in range(2):
+        runner.job_started.emit(object())
+    runner.queue_changed.emit(1)
+    guard.look()
+    assert runner.restarts == 1 and not runner.given_up
+    runner.process_id = os.getppid()
+    guard.set_limit(1)
+    assert runner.restarts == 2 and not runner.given_up  # no job has begun in this one
+    runner.job_started.emit(object())
+    guard.look()
+    assert runner.restarts == 2 and "1 MB" in runner.given_up[0]
+
+
+def test_a_job_that_takes_too_much_fails_alone_and_the_next_is_carried_out(qtbot) -> None:
+    guard, watch = MemoryGuard(0), Watch(qtbot)
+    guard.use(watch.runner)
+    greedy, modest = fake.Hoard(600), fake.Echo("modest")
+    watch.runner.submit((modest,))
+    watch.wait(lambda: watch.results == ["modest"])
+    try:
+        guard.set_limit(400)
+        watch.runner.submit((greedy, fake.Echo("after")))
+        watch.wait(lambda: watch.results == ["modest", "after"])
+        assert [job for job, *_ in watch.of("job_failed")] == [greedy]
+        assert "400 MB" in watch.of("job_failed")[0][1]
+        assert [job for (job,) in watch.of("job_started")].count(greedy) == 2
+    finally:
+        guard.stop()
+        watch.runner.close()
 
 
 def test_a_real_process_is_replaced_by_another(qtbot) -> None:

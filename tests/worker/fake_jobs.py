@@ -110,6 +110,21 @@ class Sleep(Job):
 
 
 @dataclass(frozen=True)
+class Hoard(Job):
+    """Takes so many megabytes and keeps them for a while."""
+
+    megabytes: int
+    purpose: ClassVar[Purpose] = "build"
+    label: ClassVar[str] = "hoarding"
+
+    def run(self, report: Report) -> object:
+        held = bytearray(self.megabytes << 20)
+        held[::4096] = b"x" * len(held[::4096])
+        time.sleep(30)
+        return len(held)
+
+
+@dataclass(frozen=True)
 class Export(Job):
     purpose: ClassVar[Purpose] = "export"
 
