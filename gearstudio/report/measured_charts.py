@@ -15,6 +15,7 @@ from gearstudio.theory.flank import FLANKS, FlankName
 
 Floats = NDArray[np.float64]
 _LEAST_UM = 1e-3
+_ROOM = 0.02
 
 
 def topography(member: MemberGeometry, result: MeasurementResult) -> bytes:
@@ -35,6 +36,8 @@ def topography(member: MemberGeometry, result: MeasurementResult) -> bytes:
                 continue
             above.set_title(f"{tr(FLANKS_SAID[name])}: {longest_bar(float(np.nanmax(np.abs(error))))}")
             bars(above, x, y, error / (largest or 1.0), SIDES[name])
+            room = _ROOM * float(np.nanmax(x) - np.nanmin(x))
+            above.set_xlim(float(np.nanmin(x)) - room, float(np.nanmax(x)) + room)
             if min(error.shape) > 1 and np.all(np.isfinite(error)):
                 shown = colored(below, x, y, error * factor, (-end, end), DIVERGING)
             else:

@@ -11,7 +11,7 @@ from gearstudio.design import Design
 from gearstudio.report.blocks import Pages, Picture, Table, Text
 from gearstudio.report.chapters import chapter
 from gearstudio.report.content import gather
-from gearstudio.report.document import compose, typeset
+from gearstudio.report.document import Order, compose, typeset
 from gearstudio.report.sections import SECTION_KEYS
 from gearstudio.report.store import Store, Taken
 
@@ -72,7 +72,8 @@ def test_marks_of_the_typesetter_in_a_name_stay_text() -> None:
 def test_a_whole_report_reports_its_progress() -> None:
     said: list[tuple[str, float]] = []
     design = Design()
-    pages = compose(design, ("design", "comparison", "contact"), "pinion", Taken, lambda *x: said.append(x))
+    order = Order(("design", "comparison", "contact"), "pinion")
+    pages = compose(design, order, Taken, lambda *x: said.append(x))
     pdf = typeset(pages)[0]
     assert pdf.startswith(b"%PDF") and _page_count(pdf) >= 3
     fractions = [fraction for _, fraction in said]

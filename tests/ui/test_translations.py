@@ -69,10 +69,11 @@ def test_translations_keep_holes_and_mnemonics(language: str) -> None:
 
 
 def test_the_files_that_the_window_loads_are_made_of_the_present_ones(tmp_path: Path) -> None:
-    translations.release(tmp_path)
+    translations.release(tmp_path, tmp_path)
     for language in translations.LANGUAGES:
-        name = f"gearstudio_{language}.qm"
+        name, catalogue = f"gearstudio_{language}.qm", f"{language}.json"
         assert (tmp_path / name).read_bytes() == (translations.FOLDER / name).read_bytes()
+        assert (tmp_path / catalogue).read_bytes() == (translations.CATALOGUES / catalogue).read_bytes()
     assert {template.text for template in templates()} == set(translations.collected()[translations.SENTENCES])
 
 
