@@ -8,7 +8,7 @@ further, by `ToothProfile.shift`.
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from functools import partial
+from functools import lru_cache, partial
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -251,6 +251,12 @@ def profile_of(member: MemberGeometry) -> Profile:
     """
     if member.hypoid is None and member.root_limit.offset == 0:
         return tooth_profile(member)
+    return _changing_profile(member)
+
+
+@lru_cache(maxsize=16)
+def _changing_profile(member: MemberGeometry) -> Profile:
+    """The profile of a tooth that changes along its face; remembered, for validation, views and methods ask for it."""
     return hypoid_profile({side: flank_on(member, side) for side in (-1, 1)})
 
 

@@ -15,6 +15,7 @@ Works = Callable[[Design], bool]
 _SCAN = 25
 _HALVINGS = 20
 _DIGITS = 4
+_CLOSE = 1e-5
 
 
 @dataclass(frozen=True)
@@ -93,7 +94,7 @@ def nearest(design: Design, path: str, works: Works, toward: float, scan: int = 
         return None
     bad, good = places[first - 1], places[first]
     for _ in range(_HALVINGS):
-        if is_late():
+        if is_late() or abs(good - bad) < _CLOSE * abs(good):
             break
         middle = (bad + good) / 2
         bad, good = (bad, middle) if works_at(middle) else (middle, good)

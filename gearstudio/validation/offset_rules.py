@@ -9,7 +9,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gearstudio.design import Design, all_field_specs
-from gearstudio.errors import GeometryError
 from gearstudio.theory.cones import MemberGeometry
 from gearstudio.theory.flank import FLANKS
 from gearstudio.theory.hypoid.design import hypoid_of
@@ -17,17 +16,15 @@ from gearstudio.theory.hypoid.inputs import HypoidError
 from gearstudio.theory.hypoid.pair import HypoidPair
 from gearstudio.theory.hypoid.soundness import trouble
 from gearstudio.theory.modified import flank_of
-from gearstudio.theory.profile import profile_of
+from gearstudio.validation.fillet_rules import FILLETS, RESIZED
 from gearstudio.validation.nearest import cure
-from gearstudio.validation.patience import seconds_left
-from gearstudio.validation.rule import Finding, Rule, acting, fields, geometry, members, present
+from gearstudio.validation.rule import Finding, Rule, acting, geometry, members, present
 from gearstudio.validation.tooth_rules import POINT_FACTOR
 
 Floats = NDArray[np.float64]
 
 _ALONG = 7
 _SCAN = 6
-_SLOW_S = 1.0
 _SHAPE = frozenset(
     path
     for path in all_field_specs()
@@ -73,10 +70,11 @@ _CURES = (
 )
 
 
-def _width(member: MemberGeometry, u: float) -> Floats:
-    """Azimuth of a tooth on a line u = constant of its flanks, along the face, and that line's polar angle (2, n)."""
-    v = np.linspace(0.0, 1.0, _ALONG)
-    tooth, delta = np.zeros(_ALONG), np.zeros(_ALONG)
+@lru_cache(maxsize=64)
+def _widths(member: MemberGeometry) -> Floats:
+    """Azimuth of a tooth at the lower and the upper edge of its flanks, along the face, and their polar angles."""
+    u, v = np.array([[0.0], [1.0]]), np.linspace(0.0, 1.0, _ALONG)
+    tooth, delta = np.zeros((2, _ALONG)), np.zeros((2, _ALONG))
     for name in FLANKS:
         flank = flank_of(member, name)
         rho, delta, phi = flank.locate(flank.points(u, v))
@@ -86,13 +84,13 @@ def _width(member: MemberGeometry, u: float) -> Floats:
 
 def tip_land(member: MemberGeometry) -> float:
     """Least width of a tooth's tip, brought to the heel [mm]."""
-    tooth, delta = _width(member, 1.0)
+    tooth, delta = _widths(member)[:, 1]
     return float(np.min(tooth * np.sin(delta)) * member.outer_cone_distance)
 
 
 def foot_space(member: MemberGeometry) -> float:
     """Least width of the tooth space at the lower edge of the flanks, brought to the heel [mm]."""
-    tooth, delta = _width(member, 0.0)
+    tooth, delta = _widths(member)[:, 0]
     return float(np.min((member.pitch - tooth) * np.sin(delta)) * member.outer_cone_distance)
 
 
@@ -131,43 +129,12 @@ def _closed(design: Design) -> Iterator[Finding]:
     yield from _narrow(design, foot_space, "leaves the {name} no tooth space at the foot of the flanks", cures)
 
 
-def _fillets(design: Design) -> Iterator[Finding]:
-    if seconds_left() < _SLOW_S:  # those who make the teeth are told of it then
-        return
-    for member in members(design):
-        reason = _no_profile(member)
-        if reason is None:
-            continue
-
-        def works(changed: Design, name: str = member.name) -> bool:
-            return _no_profile(geometry(changed).member(name)) is None
-
-        found = cure(design, works, [("tooth.fillet_factor", 0.01), ("tooth.clearance_factor", 0.5)], _SCAN)
-        field = found.field or "tooth.fillet_factor"
-        remedy = found.text or ("" if "use " in reason else "a larger clearance or shallower teeth")
-        yield Finding(
-            field,
-            f"{present(design, field)} leaves the {member.name} no root: {reason}{remedy and f'; use {remedy}'}",
-        )
-
-
-def _no_profile(member: MemberGeometry) -> str | None:
-    try:
-        profile_of(member)
-    except GeometryError as error:
-        return str(error)
-    return None
-
-
 _TEETH = frozenset({"derivable", "no_thickness"})
 DERIVABLE = Rule("derivable", "error", _SHAPE, frozenset({"pitch_cone", "face_width"}), "pair.offset", _derivable)
-FILLETS = Rule(
-    "fillet", "error", _RELIEVED | fields("tooth", "fillet_factor"), _TEETH | {"undercut", "pointed_tip", "no_space"},
-    "tooth.fillet_factor", _fillets,
-)  # fmt: skip
 OFFSET_RULES = (
     Rule("undercut", "error", _SHAPE, _TEETH, "tooth.profile_shift", _undercut),
     Rule("pointed_tip", "error", _RELIEVED, _TEETH | {"undercut"}, "tooth.addendum_factor", _pointed),
     Rule("no_space", "error", _RELIEVED, _TEETH | {"undercut"}, "tooth.profile_shift", _closed),
     FILLETS,
+    RESIZED,
 )

@@ -10,8 +10,9 @@ from dataclasses import replace
 
 from gearstudio.design import Design
 from gearstudio.errors import GeometryError, Issue
+from gearstudio.validation.fillet_rules import FILLETS, RESIZED
 from gearstudio.validation.mesh_rules import MESH_RULES
-from gearstudio.validation.offset_rules import DERIVABLE, FILLETS, OFFSET_RULES
+from gearstudio.validation.offset_rules import DERIVABLE, OFFSET_RULES
 from gearstudio.validation.pair_rules import PAIR_RULES
 from gearstudio.validation.relief_rules import RELIEF_RULES
 from gearstudio.validation.rule import Rule, acting
@@ -30,7 +31,7 @@ def rules_of(design: Design) -> tuple[Rule, ...]:
     rest = [rule for rule in RULES if rule.code not in _OF_EVERY_PAIR]
     if design.pair.offset == 0:
         needing = (replace(rule, needs=rule.needs | {DERIVABLE.code}) for rule in rest)
-        return (*first, DERIVABLE, *needing, replace(FILLETS, needs=FILLETS.needs - {"undercut"}))
+        return (*first, DERIVABLE, *needing, FILLETS, RESIZED)
     known = {rule.code for rule in OFFSET_RULES} | _OF_OFFSET_PAIRS | _OF_EVERY_PAIR
     kept = [rule for rule in rest if rule.code in _OF_OFFSET_PAIRS]
     thickness, *others = (replace(rule, needs=rule.needs & known | {DERIVABLE.code}) for rule in kept)

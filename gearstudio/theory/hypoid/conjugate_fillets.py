@@ -14,7 +14,7 @@ from gearstudio.errors import GeometryError
 from gearstudio.theory.cones import MemberGeometry
 from gearstudio.theory.hypoid.conjugate import ConjugateFlank
 from gearstudio.theory.hypoid.edge import StartOfContact
-from gearstudio.theory.hypoid.fillets import BEYOND, Circle, places
+from gearstudio.theory.hypoid.fillets import BEYOND, Circle, FilletError, places
 from gearstudio.theory.hypoid.modified import ModifiedConjugate
 from gearstudio.theory.hypoid.straight import Tangent, Touched
 from gearstudio.theory.hypoid.undercut import LEAST_AREA_RATIO
@@ -154,7 +154,10 @@ class ConjugateSide:
         rho_u = places(m, 0.5 + (0.5 + BEYOND) * nodes)
         root, start = m.limit_angle(m.root_limit, rho_u), self.whole.limits(_shares(m, rho_u))[0]
         if np.any(start <= root):
-            raise GeometryError(f"contact on the {m.name}'s {self.whole.name} flank starts below its root cone")
+            raise FilletError(
+                f"contact on the {m.name}'s {self.whole.name} flank starts below its root cone",
+                "use a larger clearance or shallower teeth",
+            )
         return self._solved(rho_u, root, start).fitted(nodes)
 
     def _solved(self, rho_u: Floats, root: Floats, start: Floats) -> _Solved:
@@ -183,14 +186,18 @@ class ConjugateSide:
 
     def _touching_lowest(self, root: Floats, candidates: Iterator[Touched]) -> _Solved:
         """Circles that touch the flank at the lowest place where it is regular."""
+        largest = 0.0
         for touched in candidates:
             radius = touched.largest(root)
             if np.all(radius >= self.radius):
                 return _Solved(radius, touched.circle(radius, root)[0], touched.angle, touched)
+            largest = max(largest, float(radius.min()))
         m = self.whole.member
-        raise GeometryError(
+        raise FilletError(
             f"no fillet of {self.radius * m.outer_cone_distance:.4g} mm joins root and start of contact on the "
-            f"{m.name}'s {self.whole.name} flank; use a smaller fillet factor or a larger clearance"
+            f"{m.name}'s {self.whole.name} flank",
+            "use a smaller fillet factor or a larger clearance",
+            largest * m.outer_cone_distance,
         )
 
     def _touching_tangent(self, root: Floats, touched: Touched) -> _Solved:

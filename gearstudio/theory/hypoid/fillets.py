@@ -14,6 +14,7 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from gearstudio.errors import GeometryError
 from gearstudio.theory.cones import MemberGeometry
 from gearstudio.theory.flank import InvoluteFlank
 from gearstudio.theory.flank_protocol import Flank
@@ -28,6 +29,25 @@ BEYOND = 0.06
 """Share of the face width beyond either end for which fillets are known."""
 _ALONG = 9
 _CLEAR = 0.01
+
+
+class FilletError(GeometryError):
+    """Fillets that cannot be.
+
+    Attributes
+    ----------
+    reason, remedy : str
+        What is wrong, and what to do: the error's text.
+    largest : float or None
+        Radius of the largest fillet that can be, where that is known [mm].
+    """
+
+    def __init__(self, reason: str, remedy: str, largest: float | None = None) -> None:
+        self.reason, self.remedy, self.largest = reason, remedy, largest
+        super().__init__(f"{reason}; {remedy}")
+
+    def __reduce__(self) -> tuple[type, tuple[str, str, float | None]]:
+        return type(self), (self.reason, self.remedy, self.largest)
 
 
 @dataclass(frozen=True)

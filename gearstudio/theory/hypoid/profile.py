@@ -15,7 +15,7 @@ from gearstudio.theory.flank import InvoluteFlank
 from gearstudio.theory.flank_protocol import Flank
 from gearstudio.theory.hypoid.conjugate import ConjugateFlank
 from gearstudio.theory.hypoid.conjugate_fillets import ConjugateSide
-from gearstudio.theory.hypoid.fillets import BEYOND, FilletSide, involute_side
+from gearstudio.theory.hypoid.fillets import BEYOND, FilletError, FilletSide, involute_side
 from gearstudio.theory.hypoid.straight import off_great_circle
 from gearstudio.theory.section import Segment, Shift, faded, off_circle, on_circle
 
@@ -25,8 +25,8 @@ _PLACES = 9
 _LEAST_ROOT = 0.02
 """Part of the pitch that fillets leave between them at least."""
 _FIRST_STEP, _LEAST_STEP, _MOST_STEP = 0.95, 0.5, 0.99
-_SURPLUS, _FLAT = 1.02, 1e-6
-_ATTEMPTS = 12
+_SURPLUS, _CAUTION, _FLAT = 1.02, 0.95, 1e-6
+_ATTEMPTS, _REFINEMENTS, _CLOSE = 12, 4, 0.02
 
 
 @dataclass(frozen=True)
@@ -163,25 +163,54 @@ def hypoid_profile(flanks: Mapping[int, Flank]) -> HypoidProfile:
     """
     member = flanks[1].member
     places = member.inner_cone_distance + np.linspace(0.0, 1.0, _PLACES) * member.face_width
-    profile = HypoidProfile(member, {side: _side(flank, member.fillet_angle) for side, flank in flanks.items()})
-    if profile.root_left(places) < 0 and any(_is_larger(side) for side in profile.sides.values()):
-        profile = HypoidProfile(member, {number: _on_tangent(side) for number, side in profile.sides.items()})
-    profile = _with_root(profile, places)
+    asked = HypoidProfile(member, {side: _side(flank, member.fillet_angle) for side, flank in flanks.items()})
+    profile = _with_root(asked, places)
     _refuse_pointed(profile, places)
     return profile
 
 
-def _with_root(profile: HypoidProfile, places: Floats) -> HypoidProfile:
-    """The profile, with fillets so small that they leave a root."""
-    left, share = profile.root_left(places), _FIRST_STEP
+def _with_root(asked: HypoidProfile, places: Floats) -> HypoidProfile:
+    """The profile, with fillets that leave a root: those asked for, or nearly the largest that do."""
+    bad, (profile, missing) = 1.0, _led_down(asked, places)
+    if missing >= 0:
+        return profile
+    share = _FIRST_STEP
     for _ in range(_ATTEMPTS):
+        good, left = _with_share(asked, share, places)
         if left >= 0:
-            return profile
-        profile = replace(profile, sides={n: side.smaller(share) for n, side in profile.sides.items()})
-        before, left = left, profile.root_left(places)
-        rise = max(left - before, _FLAT * profile.member.pitch)
-        share = min(max(1 + (1 - share) / share * _SURPLUS * left / rise, _LEAST_STEP), _MOST_STEP)
-    raise GeometryError(f"the fillets of neighbouring {profile.member.name} teeth overlap; use a smaller fillet factor")
+            break
+        slope = max(left - missing, _FLAT * asked.member.pitch) / (bad - share)
+        bad, missing = share, left
+        share = min(max(share + _SURPLUS * left / slope, _LEAST_STEP * share), _MOST_STEP * share)
+    else:
+        raise FilletError(
+            f"the fillets of neighbouring {asked.member.name} teeth overlap, however small they are",
+            "use a smaller clearance, or other depths that leave the teeth more space at the root",
+        )
+    for _ in range(_REFINEMENTS):
+        if bad - share < _CLOSE * share:
+            break
+        between = share + (bad - share) * min(max(_CAUTION * left / (left - missing), 0.1), 0.9)
+        tried, there = _with_share(asked, between, places)
+        if there >= 0:
+            good, share, left = tried, between, there
+        else:
+            bad, missing = between, there
+    return good
+
+
+def _with_share(asked: HypoidProfile, share: float, places: Floats) -> tuple[HypoidProfile, float]:
+    """The profile with a share of its fillets' radius, and what root is left."""
+    return _led_down(replace(asked, sides={n: side.smaller(share) for n, side in asked.sides.items()}), places)
+
+
+def _led_down(profile: HypoidProfile, places: Floats) -> tuple[HypoidProfile, float]:
+    """The profile, with tangents in the place of larger circles where these leave no root, and what root is left."""
+    left = profile.root_left(places)
+    if left >= 0 or not any(_is_larger(side) for side in profile.sides.values()):
+        return profile, left
+    led = replace(profile, sides={number: _on_tangent(side) for number, side in profile.sides.items()})
+    return led, led.root_left(places)
 
 
 def _is_larger(side: FilletSide) -> bool:
