@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gearstudio.theory.blank import BlankSizes, blank_outline
+from ui.units import value_text
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -161,4 +162,4 @@ def _place(point: Floats) -> Place:
 
 
 def _mm(value: float) -> str:
-    return f"{value:.2f}" if value < 1000 else f"{value:.1f}"
+    return value_text(value, "mm", 2 if value < 1000 else 1)

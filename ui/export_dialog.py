@@ -28,6 +28,7 @@ from gearstudio.jobs import CONSTRUCTIONS, ExportedFile, ExportJob
 from ui.export_options import OptionsPanel
 from ui.fields import set_severity
 from ui.formatting import CONSTRUCTION_TITLES, MEMBER_TITLES, METHOD_TITLES, VARIANT_TITLES
+from ui.units import spaced, to_shown
 from ui.words import told, tr
 
 if TYPE_CHECKING:
@@ -242,8 +243,8 @@ def _found(file: ExportedFile) -> str:
     check = file.check
     lines = [f"{file.path.name}: {told(check)}"]
     low, high = check.box
-    box = " × ".join(f"{b - a:.6g}" for a, b in zip(low, high, strict=True))
-    lines.append(tr("box {box} mm · read by {kernel}", box=box, kernel=check.kernel))
+    box = " × ".join(f"{to_shown(b - a, 'mm'):.6g}" for a, b in zip(low, high, strict=True)) + spaced("mm")
+    lines.append(tr("box {box} · read by {kernel}", box=box, kernel=check.kernel))
     for face in check.worst:
         words = tr("{member} {face}: within {largest} µm of theory ({limit} µm allowed)",
                    member=tr(face.member), face=told(face.title), largest=f"{face.largest_um:.4f}",

@@ -32,7 +32,8 @@ class Habits(QObject):
         self, controller: Controller, theme: Theme | None = None, preferences: Preferences | None = None
     ) -> None:
         super().__init__(controller)
-        self._session, self._window, self._theme = controller.session, controller.window, theme
+        self._controller, self._theme = controller, theme
+        self._session, self._window = controller.session, controller.window
         settings = self._window.settings
         self.preferences = preferences or Preferences(settings)
         self.preferences.setParent(self)
@@ -162,7 +163,11 @@ class Habits(QObject):
             show_units = getattr(widget, "show_units", None)
             if show_units is not None:
                 show_units()
-        session = self._session
+        session, window = self._session, self._window
+        window.form.show_issues(session.issues)
+        window.messages.take_state(window.messages.keep_state())
+        self._controller.edits.show_history()
+        self._controller.blanks.refresh()
         if session.pair is not None:
             self._window.form.set_hints(derived_hints(session.design, session.pair))
 

@@ -42,7 +42,7 @@ class PreferencesDialog(QDialog):
     def __init__(self, preferences: Preferences, keys: Keys, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setWindowTitle(tr("Preferences"))
-        self.resize(700, 520)
+        self.resize(740, 520)
         self._preferences = preferences
         self.editors: dict[str, QComboBox | QSpinBox] = {}
         self.tabs = QTabWidget()

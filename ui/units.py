@@ -5,10 +5,11 @@ The design, its file and every computation stay in millimetres and degrees; only
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass, replace
 from typing import Literal
 
-from ui.formatting import fixed, number_text
+from ui.formatting import fixed, number_text, significant
 from ui.words import tr
 
 LengthUnit = Literal["mm", "in"]
@@ -16,6 +17,9 @@ MM_PER_INCH = 25.4
 AUTOMATIC = 0
 INCH_EXTRA = 2
 """Further decimals in inches: an inch has 25 times as much in a digit."""
+
+
+_MILLIMETRES = re.compile(r"(?<![\w.])([-−]?\d+(?:\.\d+)?) mm(?!\w|\.\w)")
 
 
 @dataclass(frozen=True)
@@ -86,6 +90,33 @@ def value_text(value: float, unit: str, decimals: int = 3) -> str:
 def with_unit(value: float, unit: str, decimals: int = 3) -> str:
     """A value of the design for reading, with the unit: ``12.500 mm``, ``35.000°``."""
     return f"{value_text(value, unit, decimals)}{spaced(unit)}"
+
+
+def small_text(millimetres: float) -> str:
+    """A small length that one measures on a gear, as a backlash: in µm, or in inches where lengths are."""
+    return f"{significant(millimetres * 1e3)} µm" if factor("mm") == 1 else with_unit(millimetres, "mm", 3)
+
+
+def per_length(unit: str) -> tuple[str, float]:
+    """Unit in which a curvature (``1/mm``, ``1/mm²``) is shown, and what to multiply its values with."""
+    if not unit.startswith("1/mm") or factor("mm") == 1:
+        return unit, 1.0
+    power = 2 if unit.endswith("²") else 1
+    return unit.replace("mm", _shown.length), factor("mm") ** power
+
+
+def in_sentence(text: str) -> str:
+    """A sentence in which lengths in mm become inches where lengths are shown so, with two digits more."""
+    if factor("mm") == 1:
+        return text
+
+    def converted(found: re.Match[str]) -> str:
+        number = found[1].replace("−", "-")
+        digits = len(number.replace(".", "").lstrip("-0")) + 2
+        shown = f"{float(number) / MM_PER_INCH:.{digits}g}"
+        return f"{shown if 'e' not in shown else fixed(float(shown), 9)} {_shown.length}"
+
+    return _MILLIMETRES.sub(converted, text)
 
 
 def spaced(unit: str) -> str:

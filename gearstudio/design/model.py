@@ -62,7 +62,7 @@ class Pair(Part):
     face_width_factor: float = number(
         0.30, 0.0, 0.5,
         Words(
-            "Face width factor", "Face width over outer cone distance; a face width in mm wins over it.",
+            "Face width factor", "Face width over outer cone distance; a face width that is given wins over it.",
             "", "B/R", "B = (B/R) R", 0.01, 4,
         ),
         above_minimum=True,

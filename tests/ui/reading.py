@@ -18,9 +18,9 @@ def texts_of(root: QObject) -> Iterator[tuple[str, str]]:
         name = f"{type(thing).__name__} {thing.objectName()}"
         for read in PLACES:
             written = read == "text" and isinstance(thing, QLineEdit | QPlainTextEdit)
-            said = getattr(thing, read, None)
-            if callable(said) and not written and isinstance(said(), str):
-                yield f"{name} {read}", said()
+            said = thing.property(read)
+            if isinstance(said, str) and not written:
+                yield f"{name} {read}", said
         if isinstance(thing, QComboBox):
             yield from ((name, thing.itemText(index)) for index in range(thing.count()))
         if isinstance(thing, QAbstractItemView) and thing.model() is not None:

@@ -102,6 +102,10 @@ class ChartsPage(QWidget):
         self.chart.refresh_theme()
         self.map.refresh_theme()
 
+    def show_units(self) -> None:
+        """Show curvatures in the unit chosen."""
+        self._choose()
+
     def close_page(self) -> None:
         """Ask for nothing more."""
         self.convergence.stop()

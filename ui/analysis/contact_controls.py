@@ -113,6 +113,11 @@ class ContactControls(QWidget):
         """Whether the reference pinion is asked for."""
         return not self.pinions.isHidden() and self.pinions.button("own_cone").isChecked()
 
+    def show_units(self) -> None:
+        """Show lengths in the unit chosen; what is set stays."""
+        for row in (*self.rows.values(), self.thickness):
+            row.show_units()
+
     def set_module(self, module: float) -> None:
         """Sliders that reach as far as makes sense for teeth of this size."""
         reach = MODULES_REACHED * module

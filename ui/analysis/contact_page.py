@@ -102,6 +102,10 @@ class ContactPage(QWidget):
         self.error.refresh_theme()
         self._fill()
 
+    def show_units(self) -> None:
+        """Show lengths in the unit chosen."""
+        self._fill()
+
     def close_page(self) -> None:
         """End the background work."""
         self.work.close()

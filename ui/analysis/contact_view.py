@@ -14,6 +14,7 @@ from gearstudio.theory.modified import flank_of
 from ui.charts.raster import drawn_flat, frame, inside, outline, raster
 from ui.charts.records import Axis, ChartData, Reference, Series, Table
 from ui.formatting import MEMBER_TITLES, significant
+from ui.units import small_text
 from ui.words import tr
 
 Floats = NDArray[np.float64]
@@ -117,4 +118,4 @@ def facts(result: ContactResult, direction: Direction) -> tuple[tuple[str, str],
 def _backlash(play_mm: float) -> str:
     if np.isnan(play_mm):
         return "…"
-    return f"{significant(play_mm * 1e3) if abs(play_mm) > LEAST_PLAY_MM else 0} µm"
+    return small_text(play_mm if abs(play_mm) > LEAST_PLAY_MM else 0.0)

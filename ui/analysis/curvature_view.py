@@ -20,6 +20,7 @@ from ui.charts.records import Table
 from ui.charts.scales import diverging, sequential
 from ui.formatting import METHOD_TITLES, MINUS
 from ui.session import Key
+from ui.units import per_length
 from ui.words import told, tr
 
 if TYPE_CHECKING:
@@ -67,7 +68,9 @@ def curvature_maps(
     low, high = np.percentile(np.concatenate([value.ravel() for value in values.values()]), TYPICAL)
     limit = max(abs(low), abs(high))
     unit = UNITS[wanted.quantity]
-    maps = tuple(_drawn(member, tr(METHOD_TITLES[m]), good[m].points, values[m], unit) for m in good)
+    shown, factor = per_length(unit)
+    maps = tuple(_drawn(member, tr(METHOD_TITLES[m]), good[m].points, values[m] * factor, shown) for m in good)
+    low, high, limit = low * factor, high * factor, limit * factor
     data = MapData(
         name,
         maps,
@@ -88,7 +91,8 @@ def power_of_ten(value: float) -> str:
 
 
 def _title(wanted: Wanted) -> str:
-    title, unit = tr(next(title for name, title, _ in QUANTITIES if name == wanted.quantity)), UNITS[wanted.quantity]
+    title = tr(next(title for name, title, _ in QUANTITIES if name == wanted.quantity))
+    unit, _ = per_length(UNITS[wanted.quantity])
     if wanted.difference:
         return tr("{title} curvature less theory [{unit}]", title=title, unit=unit)
     return tr("{title} curvature [{unit}]", title=title, unit=unit)

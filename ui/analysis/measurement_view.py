@@ -17,6 +17,7 @@ from ui.charts.maps import FlankMap, Line, MapData
 from ui.charts.raster import drawn_flat, frame, outline
 from ui.charts.records import Axis, ChartData, Entry, Series, Table
 from ui.formatting import fixed, micrometres
+from ui.units import small_text
 from ui.words import tr
 
 Floats = NDArray[np.float64]
@@ -121,7 +122,7 @@ def statistics_rows(measurement: Measurement) -> list[tuple[str, str]]:
         ),
         (tr("Teeth"), tr("{count} of {all}", count=len(measurement.teeth), all=measurement.member.teeth)),
         (tr("Turned by"), f"{fixed(float(np.degrees(result.pose.turn)), 6)}°"),
-        (tr("Shifted by"), f"{fixed(result.pose.shift * 1e3, 3)} µm"),
+        (tr("Shifted by"), small_text(result.pose.shift)),
         (tr("Max"), micrometres(found.max_um)),
         (tr("Mean"), micrometres(found.mean_um)),
         (tr("Rms"), micrometres(found.rms_um)),

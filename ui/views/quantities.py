@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ui import colormap
+from ui.units import per_length
 from ui.views.appearance import Appearance
 
 Floats = NDArray[np.float64]
@@ -49,12 +50,13 @@ class Quantity:
         """Unit for a scale that reaches so far, and what to multiply its values with."""
         if self.is_deviation:
             return colormap.unit_of(limit, unit)
-        if self.unit == "%" or limit <= 0 or not math.isfinite(limit):
-            return self.unit, 1.0
-        power = 3 * math.floor(math.log10(limit) / 3 + 1e-9)
+        name, factor = per_length(self.unit)
+        if name == "%" or limit <= 0 or not math.isfinite(limit):
+            return name, factor
+        power = 3 * math.floor(math.log10(limit * factor) / 3 + 1e-9)
         if power == 0:
-            return self.unit, 1.0
-        return f"10{str(power).translate(_SUPERSCRIPTS)}{self.unit.removeprefix('1')}", 10.0**-power
+            return name, factor
+        return f"10{str(power).translate(_SUPERSCRIPTS)}{name.removeprefix('1')}", factor * 10.0**-power
 
     def text(self, value: float, unit: str = "auto") -> str:
         """A value with its unit."""
