@@ -2,19 +2,51 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 
 from gearstudio.equations.records import Numbers, Subject, deg, mm, pure, rad
+from gearstudio.theory.cones import MemberGeometry
 from gearstudio.theory.involute import azimuth_from_arc, involute_azimuth, roll_arc
+from gearstudio.theory.modified import flank_member
 from gearstudio.theory.pair import overlap_ratio, tip_arc, transverse_contact_ratio
 
 
-def involute(s: Subject) -> Numbers:
+def _involutes(s: Subject) -> tuple[tuple[str, MemberGeometry], ...]:
+    """The member as its involute flanks have it: once, or with an offset for the wheel's drive and coast flank."""
+    if not s.pair.has_offset:
+        return (("", s.member),)
+    if s.is_conjugate:
+        return ()
+    drive = s.pair.pinion.hand
+    return ("D", flank_member(s.member, drive)), ("C", flank_member(s.member, -drive))
+
+
+def _of(symbol: str, flank: str) -> str:
+    """A symbol with the name of a flank in its index."""
+    head, _, index = symbol.partition("_")
+    return symbol if not flank else f"{head}_({index} {flank})"
+
+
+def _for_each(s: Subject, put: Callable[[str, MemberGeometry], Numbers]) -> Numbers | None:
+    """The numbers of the involute flanks one after the other; None where there is none."""
+    found = [put(name, m) for name, m in _involutes(s)]
+    if not found:
+        return None
+    return Numbers(tuple(g for one in found for g in one.inputs), tuple(g for one in found for g in one.outputs))
+
+
+def involute(s: Subject) -> Numbers | None:
     """beta at the tip of the heel."""
-    m = s.member
-    tip = float(m.tip_limit.at_sphere(m.outer_cone_distance))
-    beta = float(involute_azimuth(tip, m.base_angle))
-    return Numbers((deg("delta_k = delta_a", tip), deg("delta_b", m.base_angle)), (rad("beta_k", beta),))
+
+    def put(flank: str, m: MemberGeometry) -> Numbers:
+        tip = float(m.tip_limit.at_sphere(m.outer_cone_distance))
+        beta = float(involute_azimuth(tip, m.base_angle))
+        given = (deg("delta_k = delta_a", tip), deg(_of("delta_b", flank), m.base_angle))
+        return Numbers(given, (rad(_of("beta_k", flank), beta),))
+
+    return _for_each(s, put)
 
 
 def pitch_angle(s: Subject) -> Numbers:
@@ -26,27 +58,37 @@ def pitch_angle(s: Subject) -> Numbers:
     )
 
 
-def base_radius(s: Subject) -> Numbers:
+def base_radius(s: Subject) -> Numbers | None:
     """R_b = m z cos(alpha) / 2."""
-    m = s.member
-    alpha = m.transverse_pressure_angle
-    radius = m.module * m.teeth * np.cos(alpha) / 2
-    return Numbers((mm("m", m.module), pure("z", m.teeth), deg("alpha", alpha)), (mm("R_b", radius),))
+
+    def put(flank: str, m: MemberGeometry) -> Numbers:
+        alpha = m.transverse_pressure_angle
+        given = (mm("m", m.module), pure("z", m.teeth), deg(_of("alpha", flank), alpha))
+        return Numbers(given, (mm(_of("R_b", flank), m.module * m.teeth * np.cos(alpha) / 2),))
+
+    return _for_each(s, put)
 
 
-def base_angle(s: Subject) -> Numbers:
+def base_angle(s: Subject) -> Numbers | None:
     """delta_b by tangents."""
-    m = s.member
-    alpha, delta = m.transverse_pressure_angle, m.pitch_angle
-    angle = np.arctan(np.sqrt(np.sin(delta) ** 2 / (np.tan(alpha) ** 2 + np.cos(delta) ** 2)))
-    return Numbers((deg("delta", delta), deg("alpha", alpha)), (deg("delta_b", float(angle)),))
+
+    def put(flank: str, m: MemberGeometry) -> Numbers:
+        alpha, delta = m.transverse_pressure_angle, m.pitch_angle
+        angle = float(np.arctan(np.sqrt(np.sin(delta) ** 2 / (np.tan(alpha) ** 2 + np.cos(delta) ** 2))))
+        return Numbers((deg("delta", delta), deg(_of("alpha", flank), alpha)), (deg(_of("delta_b", flank), angle),))
+
+    return _for_each(s, put)
 
 
-def element_angle(s: Subject) -> Numbers:
+def element_angle(s: Subject) -> Numbers | None:
     """gamma between pitch and base element."""
-    m = s.member
-    gamma = float(np.arccos(np.cos(m.pitch_angle) / np.cos(m.base_angle)))
-    return Numbers((deg("delta", m.pitch_angle), deg("delta_b", m.base_angle)), (deg("gamma", gamma),))
+
+    def put(flank: str, m: MemberGeometry) -> Numbers:
+        gamma = float(np.arccos(np.cos(m.pitch_angle) / np.cos(m.base_angle)))
+        given = (deg("delta", m.pitch_angle), deg(_of("delta_b", flank), m.base_angle))
+        return Numbers(given, (deg(_of("gamma", flank), gamma),))
+
+    return _for_each(s, put)
 
 
 def cone_distance(s: Subject) -> Numbers:

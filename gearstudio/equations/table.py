@@ -28,7 +28,7 @@ PAPER: tuple[Equation, ...] = (
         r"R_b = (m z cos alpha) / (2 cos delta)", "The division by the cosine does not agree with equation (7).",
         "With the printed form equation (7) gives R = 222.2 mm instead of 86.9 mm (17/40 teeth, m = 4 mm, "
         "transverse 20°, wheel).",
-        numbers.base_radius,
+        numbers.base_radius, "always",
     ),
     Equation(
         "base_angle", _CONES, "Base cone angle", "5", "2",
@@ -37,13 +37,13 @@ PAPER: tuple[Equation, ...] = (
         r"delta_b = arctan sqrt((sin^2 delta) / (tan^2 alpha + tan^2 delta))",
         "A misprint under the root: the spherical right triangle gives cos²δ.",
         "Printed 21.1°; used 59.863°, which equals arcsin(sin δ cos α) (17/40 teeth, m = 4 mm, transverse 20°, wheel).",
-        numbers.base_angle,
+        numbers.base_angle, "always",
     ),
     Equation(
         "element_angle", _CONES, "Angle between pitch and base element", "6", "2",
         r"gamma = arccos (cos delta) / (cos delta_b)",
         "Measured in the tangent plane; it is the arc ψ at which the involute crosses the pitch cone.",
-        numbers=numbers.element_angle,
+        numbers=numbers.element_angle, holds="always",
     ),
     Equation(
         "cone_distance", _CONES, "Outer cone distance", "7", "2", r"R = R_b / (sin delta_b)",
@@ -64,7 +64,7 @@ PAPER: tuple[Equation, ...] = (
         "Only the rolled arc is divided by sin δ_b: the second term is an angle about the axis already.",
         "Rolling construction at δ_k = 68°: azimuth 0.0413879 rad, as the used form; the printed form gives "
         "−0.0838 rad (17/40 teeth, transverse 20°, wheel).",
-        numbers.involute,
+        numbers.involute, "always",
     ),
     Equation(
         "point", _INVOLUTE, "Point in spherical coordinates", "2", "1",
@@ -86,6 +86,7 @@ PAPER: tuple[Equation, ...] = (
         "base_spiral", _LENGTHWISE, "Base cone spiral", "8", "5.1",
         r"bold(K)_n = R_n vec(sin delta_b cos theta_n, sin delta_b sin theta_n, cos delta_b)",
         "Where the involutes start; the generating line is this curve unrolled into the tangent plane.",
+        holds="always",
     ),
     Equation(
         "spiral_start", _LENGTHWISE, "Turn of the spiral from toe to heel", "9", "4",
@@ -145,6 +146,7 @@ PAPER: tuple[Equation, ...] = (
         r"bold(K)(rho; a) = rho [cos psi bold(e)_t (a) + sin psi bold(e)_phi (a)], quad "
         r"psi = (phi_0 (rho) - a) sin delta_b",
         "All points of the generating line share the azimuth a of the line of contact: the plane is a rigid body.",
+        holds="always",
     ),
     Equation(
         "deviation", _FLANK, "Deviation of a point", "", "5",

@@ -123,6 +123,8 @@ def test_the_equations_of_offset_axes_give_the_data_sheet_of_the_standard() -> N
         assert _put(key, design, "pinion")[symbol] == pytest.approx(sheet.get(quantity, "pinion").value, rel=1e-9), key
     wheel = _put("flank_angles", design, "wheel")
     assert wheel["delta_(b D)"] == pytest.approx(sheet.get("delta_bD", "wheel").value)
+    assert _put("base_angle", design, "wheel")["delta_(b D)"] == pytest.approx(wheel["delta_(b D)"])
+    assert numbers_of(equation("base_angle"), pair_geometry(design), "pinion") is None
     assert _put("mean_depths", design, "wheel")["h_(a m 2)"] == pytest.approx(sheet.get("h_am", "wheel").value)
     arms = _put("offset_arms", design, "pinion")
     moment = sum(arms[r] * np.sin(np.radians(arms[angle])) for r, angle in (("r_2", "zeta_m"), ("r_1", "eta")))

@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QApplication, QWidget
 from pytestqt.qtbot import QtBot
 
 from gearstudio.design import all_field_specs
-from gearstudio.equations import EQUATIONS, fields_of, holds
+from gearstudio.equations import EQUATIONS, equation, equation_for, fields_of, holds
 from gearstudio.presets import PRESETS
 from tests.ui.stand_ins import Bench
 from ui.derived_panel import QUANTITIES, SYMBOL
@@ -108,7 +108,9 @@ def test_every_derived_value_leads_to_an_equation(bench: Bench) -> None:
         view = bench.window.derived.view
         symbols = [view.item(row, 0).data(SYMBOL) for row in range(view.rowCount())]
         assert len(symbols) > len(QUANTITIES)
-        assert all(keys_of_symbol(symbol) for symbol in symbols)
+        pair = bench.session.pair
+        assert pair is not None
+        assert all(holds(equation(equation_for(keys_of_symbol(symbol), pair)), pair) for symbol in symbols)
 
 
 def test_rows_of_the_data_sheet_and_their_explanations_lead_to_equations(bench: Bench, qtbot: QtBot) -> None:

@@ -150,7 +150,7 @@ class EquationBrowser(QDialog):
         split.addWidget(left)
         split.addWidget(right)
         split.setStretchFactor(1, 1)
-        split.setSizes([270, 630])
+        split.setSizes([330, 630])
         split.splitterMoved.connect(lambda *_: self.show_chosen())
         QHBoxLayout(self).addWidget(split)
 
@@ -177,6 +177,7 @@ class EquationBrowser(QDialog):
             number = f"({one.paper}) " if one.paper else ""
             item = QTreeWidgetItem(groups[one.group], [f"{number}{tr(one.title)}{mark}"])
             item.setData(0, _KEY, one)
+            item.setToolTip(0, item.text(0))
         self.list.expandAll()
         self.list.setCurrentItem(self._items()[0])
         self._mark()

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import Qt, QUrl
-from PySide6.QtGui import QDesktopServices, QImage, QTextCursor, QTextDocument
+from PySide6.QtGui import QColor, QDesktopServices, QImage, QTextCursor, QTextDocument
 from PySide6.QtWidgets import (
     QComboBox,
     QDialog,
@@ -19,6 +19,8 @@ from PySide6.QtWidgets import (
 )
 
 from ui.help.pages_of import PAGES, page_path, slug
+from ui.help.reading import set_page
+from ui.theme import tokens
 from ui.words import tr
 
 _SIZE = (940, 640)
@@ -39,6 +41,7 @@ class PageView(QTextBrowser):
         self._page = page_path(page)
         text = self._page.read_text(encoding="utf-8")
         self.document().setMarkdown(text, QTextDocument.MarkdownFeature.MarkdownDialectGitHub)
+        set_page(self.document(), QColor(tokens().border_strong))
         self.moveCursor(QTextCursor.MoveOperation.Start)
         self.verticalScrollBar().setValue(0)
 
@@ -77,10 +80,10 @@ class GuideWindow(QDialog):
         self.search.setClearButtonEnabled(True)
         self.search.setMinimumWidth(220)
         self.search.returnPressed.connect(self.find_next)
-        self.search.textEdited.connect(lambda _: self.nothing.hide())
         self.nothing = QLabel(tr("Nothing found"))
         self.nothing.setProperty("severity", "warning")
         self.nothing.hide()
+        self.search.textEdited.connect(lambda _: self.nothing.hide())
         self.next = QToolButton()
         self.next.setText(tr("Next"))
         self.next.setToolTip(tr("Next place where the words stand"))
