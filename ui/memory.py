@@ -58,7 +58,7 @@ class MemoryGuard(QObject):
     Signals
     -------
     replaced(float)
-        The megabytes that it had.
+        The megabytes that it had; nothing is lost.
     """
 
     replaced = Signal(float)
@@ -103,7 +103,7 @@ class MemoryGuard(QObject):
             )
         else:
             runner.restart()
-        self.replaced.emit(megabytes)
+            self.replaced.emit(megabytes)
 
     def stop(self) -> None:
         """Watch no more."""
