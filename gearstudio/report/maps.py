@@ -40,7 +40,7 @@ def flat(content: Content, points: Floats) -> tuple[Floats, Floats]:
 
 def deviation_maps(content: Content, flank: FlankName) -> bytes:
     """All methods, one row for each variant, each with a scale of its own: signed deviation."""
-    with figure(Frame(3.2, len(VARIANTS), len(METHOD_INFOS), "each")) as (drawn, axes):
+    with figure(Frame(2.95, len(VARIANTS), len(METHOD_INFOS), "each")) as (drawn, axes):
         for row, variant in zip(axes, VARIANTS, strict=True):
             for ax, method in zip(row, METHOD_INFOS, strict=True):
                 ax.set_title(f"{tr(method.title)}, {tr(variant)}")
@@ -62,7 +62,7 @@ def deviation_maps(content: Content, flank: FlankName) -> bytes:
 def curvature_maps(content: Content) -> bytes:
     """Gaussian curvature of theory and of the optimised variants, a row for each flank with one scale."""
     titles = [_THEORY, *(method.title for method in METHOD_INFOS)]
-    with figure(Frame(2.8, len(FLANKS), len(titles), "row")) as (drawn, axes):
+    with figure(Frame(2.5, len(FLANKS), len(titles), "row")) as (drawn, axes):
         for row, name in zip(axes, FLANKS, strict=True):
             found = _curvatures(content, name)
             low, high = (float(np.quantile(found[_THEORY].gaussian, share)) for share in (0.02, 0.98))
