@@ -123,6 +123,15 @@ class TestPicking:
         assert not card.isVisible() and grid.pointing.pin is None
         assert not any(pin.isVisible() for pin in grid.overlays.pins)
 
+    def test_a_point_goes_with_its_member_alone(self, bench, qtbot):
+        grid, session = grid_of(bench), bench.session
+        QTest.mouseClick(grid.viewport, Qt.MouseButton.LeftButton, pos=flank_place(grid, 1).toPoint())
+        qtbot.waitUntil(bench.controller.display.picks.card.isVisible, timeout=5000)
+        session.select(variant="optimised")
+        assert grid.pointing.pin is not None
+        session.select(member="pinion")
+        assert grid.pointing.pin is None
+
     def test_a_click_beside_the_flanks_picks_nothing(self, bench, qtbot):
         grid = grid_of(bench)
         QTest.mouseClick(grid.viewport, Qt.MouseButton.LeftButton, pos=QPointF(4, grid.height() - 4).toPoint())

@@ -72,11 +72,6 @@ class PickCard(QFrame):
         parent.installEventFilter(self)
         self.hide()
 
-    @property
-    def keys(self) -> tuple[Key, ...]:
-        """The results whose values are shown."""
-        return () if self._shown is None else tuple(self._shown[1].found)
-
     def set_unit(self, unit: str) -> None:
         """Show deviations in another unit."""
         if unit != self._unit:

@@ -46,6 +46,7 @@ class Picks(QObject):
         self._session, self._window, self._solid_mode = session, window, solid_mode
         self._grid: ViewGrid | None = None
         self._pin: Hover | None = None
+        self._member = ""
         self.card: PickCard | None = None
         self._newest = Newest("picked point", self)
         self._newest.done.connect(self._on_done)
@@ -73,13 +74,11 @@ class Picks(QObject):
     def _drop(self) -> None:
         """Another member: the point is none of its. Points of solids go with their solid."""
         pin = self._pin
-        if self._grid is None or pin is None or pin.member:
-            return
-        if self._session.member not in {key.member for key in self._shown_keys()}:
+        if self._grid is not None and pin is not None and not pin.member and self._session.member != self._member:
             self._grid.pointing.drop_pin()
 
     def _on_picked(self, pin: Hover | None) -> None:
-        self._pin = pin
+        self._pin, self._member = pin, self._session.member
         if pin is None:
             if self.card is not None:
                 self.card.hide()
