@@ -10,8 +10,8 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
 MARKS = {"tr", "noted", "inline"}
-_SHARED = ("gearstudio/words.py", "ui/vocabulary.py")
-"""Words that belong to sentences of the core, wherever they are shown."""
+_SHARED = ("gearstudio/words.py", "gearstudio/cli/report_pictures.py", "ui/vocabulary.py", "ui/reporting/pictures.py")
+"""Words that belong to sentences of the core, and reasons why a picture is missing in the report."""
 _QUIET_WINDOW = {
     "diagnostics",
     "zebra",

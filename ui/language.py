@@ -12,7 +12,7 @@ from ui.preferences import LANGUAGES, NAMES
 FOLDER = Path(__file__).parent / "translations"
 ENGLISH = "en"
 _QT = {"de": "qtbase_de", "zh": "qtbase_zh_CN"}
-_SPOKEN = "spoken language"
+_SPOKEN = "spoken_language"
 log = logging.getLogger(__name__)
 
 

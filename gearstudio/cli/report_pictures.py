@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from gearstudio.catalogue import MemberName
+from gearstudio.words import noted
 
 if TYPE_CHECKING:
     from gearstudio.report.store import Taken
@@ -20,7 +21,7 @@ _PICTURES = {
     "views.jpg": ("--size", "1050x460", "--scale", "2"),
 }
 _PATIENCE_S = 300.0
-_NO_REASON = "it ended without a reason"
+_NO_REASON, _TOO_LONG = noted("it ended without a reason"), noted("it took too long")
 
 
 class Photographers:
@@ -55,7 +56,7 @@ class Photographers:
             try:
                 process.wait(_PATIENCE_S)
             except subprocess.TimeoutExpired:
-                problems.append(f"{name}: it took longer than {_PATIENCE_S:g} seconds")
+                problems.append(f"{name}: {_TOO_LONG}")
                 continue
             if process.returncode == 0 and path.is_file():
                 pictures[name] = path.read_bytes()

@@ -23,13 +23,15 @@ from gearstudio.report.fonts import FAMILIES, cjk_family
 from gearstudio.report.language import CJK, MEMBERS_SAID, inline, language, moment, number, speaking, tr
 from gearstudio.report.sections import SECTION_KEYS, SECTIONS
 from gearstudio.report.store import Store, Taken
-from gearstudio.words import ENGLISH
+from gearstudio.words import ENGLISH, noted
 
 Report = Callable[[str, float], None]
 _COVER_WIDTH = 0.9
 _TITLES = {section.key: section.title for section in SECTIONS}
 _PARTS = ("cadquery-ocp-novtk", "numpy", "scipy", "typst")
-_NO_FONT = "no font with Chinese characters was found, so the report is in English; install one, such as Noto Sans CJK"
+_NO_FONT = noted(
+    "no font with Chinese characters was found, so the report is in English; install one, such as Noto Sans CJK"
+)
 
 
 @dataclass(frozen=True)

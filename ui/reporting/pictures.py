@@ -11,7 +11,7 @@ from PySide6.QtGui import QImage
 
 from gearstudio.words import ENGLISH
 from ui.language import spoken
-from ui.words import tr
+from ui.words import noted
 
 if TYPE_CHECKING:
     from ui.main_window import MainWindow
@@ -74,7 +74,7 @@ class ReportPictures(QObject):
 
         grid, bar = self._window.area.grid, self._window.area.color_bar
         if grid is None:
-            self._missing.append(tr("the views are not there yet"))
+            self._missing.append(noted("the views are not there yet"))
             return
         if self._solid_mode.mode == "flanks":
             copy = stand_in(grid, _VIEWS)
@@ -83,7 +83,7 @@ class ReportPictures(QObject):
             copy.set_titles(self._titles(copy))
             yield from self._one("views", copy, painted(copy, bar, PictureOptions(_SCALE)))
         else:
-            self._missing.append(tr("views: the window shows solids and not the flanks"))
+            self._missing.append(noted("the window shows solids and not the flanks"))
         pair = self._pair()
         if pair is not None:
             options = PictureOptions(_SCALE, transparent=True, labels=False, scale_bar=False)
