@@ -23,6 +23,8 @@ from PySide6.QtCore import QBuffer, Qt  # noqa: E402
 from PySide6.QtGui import QImage  # noqa: E402
 from PySide6.QtWidgets import QApplication, QDialog  # noqa: E402
 
+from gearstudio.design import Design  # noqa: E402
+from gearstudio.presets import PRESETS_BY_KEY  # noqa: E402
 from ui.app import Studio, make_application  # noqa: E402
 from ui.export_dialog import ExportDialog  # noqa: E402
 from ui.help.equations import EquationBrowser  # noqa: E402
@@ -181,6 +183,29 @@ def dialogs(painter: Painter) -> None:
     painter.save_dialog(EquationBrowser, "equations")
 
 
+def hypoid(painter: Painter) -> None:
+    """A hypoid pair in contact, and its pinion with a base cone of its own."""
+    session, window = painter.session, painter.window
+    mode = painter.controller.solid_mode
+    session.load(PRESETS_BY_KEY["hypoid-car"].design)
+    session.select(member="pinion", method="profile_sweep")
+    window.analysis.show_tab("contact")
+    page = window.analysis.page
+    page.shown.button("pattern").click()
+    mode.build("pair")
+    wait_for(lambda: len(mode.keys) == 2 and all(mode.solids.is_current(key) for key in mode.keys), 2.0)
+    painter.settle(4.0)
+    painter.save("hypoid")
+    page.controls.pinions.button("own_cone").click()
+    page.shown.button("ease_off").click()
+    painter.settle(4.0)
+    painter.save("own-cone")
+    page.controls.pinions.button("conjugate").click()
+    page.shown.button("pattern").click()
+    window.analysis.show_tab("comparison")
+    session.load(Design())
+
+
 def main() -> None:
     """Save one picture after the other in docs/images."""
     painter = Painter()
@@ -192,6 +217,7 @@ def main() -> None:
     mode.build("pair")
     wait_for(lambda: len(mode.keys) == 2 and all(mode.solids.is_current(key) for key in mode.keys), 2.0)
     painter.save("pair")
+    hypoid(painter)
     painter.session.mark_saved(ROOT, painter.session.design)
     painter.window.close()
 
