@@ -10,10 +10,10 @@ from numpy.typing import NDArray
 from gearstudio.checks import Box, FaceCheck, FileCheck
 from gearstudio.exchange.meshes import MeshPart, mesh_box
 from gearstudio.exchange.proof import FACE_POINTS, Wanted, check_faces, check_mesh
+from gearstudio.kernel.boxes import corner_box
 from gearstudio.kernel.cutting import compound
 from gearstudio.kernel.document import Part, located
 from gearstudio.kernel.exchange import Shape, face_points, faces_of, kernel_version, solids_of, verdict
-from gearstudio.kernel.solids import corner_box
 from gearstudio.results import Mesh
 
 Floats = NDArray[np.float64]

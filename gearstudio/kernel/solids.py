@@ -6,16 +6,15 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from OCP.Bnd import Bnd_Box
 from OCP.BRep import BRep_Tool
 from OCP.BRepAdaptor import BRepAdaptor_Curve
-from OCP.BRepBndLib import BRepBndLib
 from OCP.BRepCheck import BRepCheck_Analyzer
 from OCP.collections import IndexedDataMap_TopoDS_Shape_List_TopoDS_Shape_TopTools_ShapeMapHasher
 from OCP.TopAbs import TopAbs_ShapeEnum
 from OCP.TopExp import TopExp, TopExp_Explorer
 from OCP.TopoDS import TopoDS, TopoDS_Edge, TopoDS_Face, TopoDS_Shape
 
+from gearstudio.kernel.boxes import bounding_box
 from gearstudio.kernel.weighing import weigh
 
 Floats = NDArray[np.float64]
@@ -40,7 +39,7 @@ class SolidCheck:
     inertia : ndarray, shape (3, 3)
         About the centre of mass for unit density [mm^5].
     box : ndarray, shape (2, 3)
-        Least and greatest coordinates of the faces' poles [mm].
+        Least and greatest coordinates [mm].
     """
 
     valid: bool
@@ -82,18 +81,6 @@ def is_closed(shape: TopoDS_Shape) -> bool:
     return bool(shells) and all(BRep_Tool.IsClosed_s(shell) for shell in shells)
 
 
-def corners(shape: TopoDS_Shape) -> Floats:
-    """Its vertices [mm], shape (n, 3); each as often as it is used."""
-    points = [BRep_Tool.Pnt_s(TopoDS.Vertex(v)) for v in _parts(shape, TopAbs_ShapeEnum.TopAbs_VERTEX)]
-    return np.array([(p.X(), p.Y(), p.Z()) for p in points])
-
-
-def corner_box(shape: TopoDS_Shape) -> Floats:
-    """Least and greatest coordinates of its vertices [mm], shape (2, 3); quick, and the same in every format."""
-    points = corners(shape)
-    return np.stack([points.min(axis=0), points.max(axis=0)])
-
-
 def measured_gap(shape: TopoDS_Shape) -> float:
     """Largest distance between neighbouring faces along the edges that they share [mm]: measured, not promised."""
     users = IndexedDataMap_TopoDS_Shape_List_TopoDS_Shape_TopTools_ShapeMapHasher()
@@ -117,14 +104,6 @@ def _along(edge: TopoDS_Edge, face: TopoDS_Face) -> Floats:
 def is_valid(shape: TopoDS_Shape) -> bool:
     """The kernel's full check, on as many cores as there are."""
     return bool(BRepCheck_Analyzer(shape, True, True).IsValid())
-
-
-def bounding_box(shape: TopoDS_Shape) -> Floats:
-    """Least and greatest coordinates of the poles of its faces [mm], shape (2, 3): quick, and hardly too large."""
-    box = Bnd_Box()
-    BRepBndLib.Add_s(shape, box, False)
-    low, high = box.CornerMin(), box.CornerMax()
-    return np.array([[low.X(), low.Y(), low.Z()], [high.X(), high.Y(), high.Z()]])
 
 
 def _parts(shape: TopoDS_Shape, kind: TopAbs_ShapeEnum) -> list[TopoDS_Shape]:

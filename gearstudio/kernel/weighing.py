@@ -201,7 +201,7 @@ def _on_any(curve: Geom2d_Curve, first: float, last: float, sign: float) -> Piec
 
 def _between(first: float, last: float, breaks: Floats) -> Floats:
     """Both ends and the breaks between them."""
-    return np.r_[first, breaks[(breaks > first) & (breaks < last)], last]
+    return np.asarray(np.r_[first, breaks[(breaks > first) & (breaks < last)], last])
 
 
 def _across(surface: Parametric, places: Floats, start: float) -> Floats:

@@ -8,9 +8,9 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
+from gearstudio.kernel.boxes import corners
 from gearstudio.kernel.cutting import CutGear, Face, Report, cut_spaces
 from gearstudio.kernel.shell import closed_tooth
-from gearstudio.kernel.solids import corners
 from gearstudio.kernel.turned import turned_solid
 from gearstudio.methods.base import SAFETY, Target
 from gearstudio.methods.grafts import Angles, blended, edge_of, profile_space, reversed_across

@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 from gearstudio.catalogue import Variant
 from gearstudio.design import Design
 from gearstudio.errors import GeometryError, ModellingError
+from gearstudio.kernel.convert import CONFUSION_MM
 from gearstudio.kernel.cutting import Face, Report, Solid
 from gearstudio.kernel.shell import assembled
 from gearstudio.kernel.solids import check_solid, is_valid
@@ -21,7 +22,7 @@ from gearstudio.theory.chamfer import end_chamfers
 from gearstudio.theory.cones import MemberGeometry, pair_geometry
 
 CONSTRUCTIONS = ("assemble", "cut")
-_SIZE_SHARE = 1e-5
+_SIZE_SHARE = 4e-6
 _BUILT = {"assemble": 0.3, "cut": 0.8}
 
 
@@ -44,13 +45,13 @@ class Gear:
 def target_of(design: Design, member: MemberGeometry) -> Target:
     """What the optimised variants of a design have to reach.
 
-    At most a share of radius and face width: else the volume of a small gear misses theory by over 1e-6.
+    At most a share of radius and face width: else the volume of a small gear misses theory by up to 1e-6 and more.
     """
     target = Target.for_cone_distance(
         design.methods.tolerance_um, member.outer_cone_distance, design.methods.point_cloud_degree
     )
     size = min(member.outer_cone_distance * math.sin(member.pitch_angle), member.face_width)
-    return replace(target, tolerance=min(target.tolerance, _SIZE_SHARE * size))
+    return replace(target, tolerance=min(target.tolerance, max(_SIZE_SHARE * size, CONFUSION_MM)))
 
 
 def blank_sizes(design: Design, member: str) -> BlankSizes:

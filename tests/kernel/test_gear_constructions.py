@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import random
 
 import pytest
@@ -10,6 +11,7 @@ from OCP.BRepExtrema import BRepExtrema_DistShapeShape
 from OCP.gp import gp_Pnt
 from OCP.TopAbs import TopAbs_ShapeEnum
 
+from gearstudio.analysis.volume import gear_volume
 from gearstudio.kernel.cutting import Face, compound, parts
 from gearstudio.kernel.solids import is_closed, is_valid, measured_gap, solid_volume
 from gearstudio.methods.gear import Gear, build_gear
@@ -44,6 +46,42 @@ def test_both_constructions_make_the_same_gear(changes: Changes, member: str) ->
     assert len(told) >= 6
     assert told == sorted(told)
     assert_alike(cut, joined)
+
+
+FIVE = {"pair.pinion_teeth": 5, "tooth.profile_shift": 0.4, "tooth.addendum_factor": 0.9}
+EXTREMES = [
+    pytest.param(FIVE, "pinion", id="five teeth"),
+    pytest.param({"pair.outer_module": 0.1, "lengthwise.cutter_radius": 2.0}, "pinion", id="module 0.1"),
+    pytest.param({"pair.face_width_factor": 0.01}, "pinion", id="face of 1 %"),
+    pytest.param({"pair.face_width_factor": 0.5}, "pinion", id="face of 50 %", marks=pytest.mark.slow),
+    pytest.param(
+        {**FIVE, "pair.outer_module": 100.0, "lengthwise.cutter_radius": 2000.0},
+        "pinion",
+        id="module 100",
+        marks=pytest.mark.slow,
+    ),
+    pytest.param(
+        {"pair.pinion_teeth": 60, "pair.wheel_teeth": 200, "lengthwise.cutter_radius": 400.0},
+        "wheel",
+        id="two hundred teeth",
+        marks=[
+            pytest.mark.slow,
+            pytest.mark.timeout(900),
+            pytest.mark.skipif(os.environ.get("HYPOTHESIS_PROFILE") != "explore", reason="takes two minutes"),
+        ],
+    ),
+]
+
+
+@pytest.mark.parametrize(("changes", "member"), EXTREMES)
+def test_spaces_are_cut_at_the_ends_of_the_permitted_range(changes: Changes, member: str) -> None:
+    cut = build_gear(changed(changes), member, "point_cloud", "optimised", "cut")
+    assert is_valid(cut.solid)
+    assert is_closed(cut.solid)
+    assert measured_gap(cut.solid) <= 5e-5 * max(1.0, cut.member.outer_cone_distance / 250)
+    assert solid_volume(cut.solid) == pytest.approx(gear_volume(cut.member, cut.outline.points), rel=1e-6)
+    names = {name for name, _ in cut.faces}
+    assert {f"tooth {n} {part}" for n in range(1, cut.member.teeth + 1) for part in ("concave", "convex")} <= names
 
 
 def assert_alike(cut: Gear, joined: Gear) -> None:
