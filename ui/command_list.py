@@ -63,6 +63,5 @@ def _walk(menu: QMenu, place: str) -> Iterator[Entry]:
         below = action.menu()
         if isinstance(below, QMenu):
             yield from _walk(below, f"{place}{ARROW}{plain(action.text())}")
-        elif not action.isSeparator() and action.text():
-            title = plain(action.text())
-            yield Entry(action.objectName() or f"{place}{ARROW}{title}", title, place, action)
+        elif not action.isSeparator() and action.objectName():
+            yield Entry(action.objectName(), plain(action.text()), place, action)

@@ -67,7 +67,7 @@ class Habits(QObject):
         made = []
         for entry in self.keys.entries():
             action = entry.action
-            if entry.id != "palette":
+            if entry.id != "palette" and action.isVisible():
                 made.append(
                     Offer(
                         entry.id, entry.title, entry.place, keys_text(action.shortcut()), entry.tip,

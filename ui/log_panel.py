@@ -136,6 +136,7 @@ class LogDock(QDockWidget):
     def __init__(self, parent: QWidget) -> None:
         super().__init__(tr("Log"), parent)
         self.setObjectName("Log")
+        self.toggleViewAction().setObjectName("panels.Log")
         self.panel = LogPanel()
         self.setWidget(self.panel)
         self._source = LogSource(self)

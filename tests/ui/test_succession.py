@@ -7,12 +7,13 @@ import os
 import re
 import sys
 import weakref
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 
 import pytest
 from PySide6.QtCore import QSettings, Qt
-from PySide6.QtWidgets import QApplication, QDialog, QWidget
+from PySide6.QtGui import QAction, QKeySequence
+from PySide6.QtWidgets import QApplication, QDialog, QMenu, QWidget
 
 from tests.ui.reading import texts_of
 from tools import translations
@@ -197,6 +198,34 @@ def test_the_dialog_stands_open_in_the_new_language_and_solids_stay(studio: Stud
     assert studio.window.area.grid.viewport.look.eye == pytest.approx(eye)
     studio.controller.solid_mode.set_mode("flanks")
     qtbot.waitUntil(lambda: len(studio.window.area.grid.panels) == 3, timeout=10_000)
+
+
+def test_every_command_has_a_name_of_its_own_and_keeps_its_key_in_every_language(studio: Studio, qtbot) -> None:
+    bound = {"export": "Ctrl+F5", "layers.base_cone": "Ctrl+F6", "undock.Log": "Ctrl+F7", "panels.Log": "Ctrl+F9",
+             "presets.fine": "Ctrl+F10", "recent.1": "Ctrl+F11", "views.iso": ""}  # fmt: skip
+    keys = studio.habits.keys
+    entries = {entry.id: entry for entry in keys.entries()}
+    for name, chosen in bound.items():
+        keys.assign(entries[name], QKeySequence(chosen))
+    for language in ("de", "zh", "en"):
+        choose(studio, qtbot, language)
+        now = {entry.id: entry for entry in studio.habits.keys.entries()}
+        assert now.keys() == entries.keys()
+        assert {name: now[name].action.shortcut().toString() for name in bound} == bound
+        actions = {id(action): action for action in _commands(studio.window.menuBar().actions())}
+        names = [action.objectName() for action in actions.values()]
+        assert all(names), [action.text() for action in actions.values() if not action.objectName()]
+        assert len(names) == len(set(names)) and set(names) <= now.keys()
+        for name, entry in now.items():
+            assert entry.title and not studio.habits.keys.rivals(entry, entry.action.shortcut()), name
+
+
+def _commands(actions: Iterable[QAction]) -> Iterator[QAction]:
+    for action in actions:
+        if isinstance(action.menu(), QMenu):
+            yield from _commands(action.menu().actions())
+        elif not action.isSeparator():
+            yield action
 
 
 def test_a_language_chosen_while_the_parts_are_loaded(open_studio, qtbot) -> None:

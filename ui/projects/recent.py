@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 
 from PySide6.QtCore import QObject, QSettings, Signal
+from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QMenu
 
 from ui.words import tr
@@ -28,6 +30,15 @@ class Recent(QObject):
         super().__init__(parent)
         self._menu, self._settings = menu, settings
         self._paths = _stored(settings)
+        self._actions = [
+            self._make_action(f"recent.{number}", "", lambda place=number - 1: self.chosen.emit(self._paths[place]))
+            for number in range(1, KEPT + 1)
+        ]
+        menu.addSeparator()
+        self._forget = self._make_action(
+            "remove_missing", tr("Remove &missing ones"), lambda: self.remove(self._missing())
+        )
+        self._clear = self._make_action("clear_recent", tr("&Clear the list"), lambda: self._keep([]))
         menu.setToolTipsVisible(True)
         menu.aboutToShow.connect(self._fill)
         self._fill()
@@ -56,22 +67,26 @@ class Recent(QObject):
     def _fill(self) -> None:
         if self._settings is not None:
             self._paths = _stored(self._settings)
-        self._menu.clear()
-        missing = tuple(path for path in self._paths if not path.is_file())
-        for number, path in enumerate(self._paths, 1):
-            words = path.name.replace("&", "&&")
+        missing = self._missing()
+        for number, action in enumerate(self._actions, 1):
+            path = self._paths[number - 1] if number <= len(self._paths) else None
+            action.setVisible(path is not None)
+            action.setEnabled(path is not None and path not in missing)
+            words = tr("Recent design {number}", number=number) if path is None else path.name.replace("&", "&&")
             text = tr("{name} (missing)", name=words) if path in missing else words
-            action = self._menu.addAction(f"&{number}  {text}" if number < 10 else f"{number}  {text}")
-            action.setToolTip(str(path))
-            action.setEnabled(path not in missing)
-            action.triggered.connect(lambda _checked=False, chosen=path: self.chosen.emit(chosen))
-        self._menu.addSeparator()
-        forget = self._menu.addAction(tr("Remove &missing ones"))
-        forget.setEnabled(bool(missing))
-        forget.triggered.connect(lambda _checked=False: self.remove(missing))
-        clear = self._menu.addAction(tr("&Clear the list"))
-        clear.setEnabled(bool(self._paths))
-        clear.triggered.connect(lambda _checked=False: self._keep([]))
+            action.setText(f"&{number}  {text}" if number < 10 else f"{number}  {text}")
+            action.setToolTip("" if path is None else str(path))
+        self._forget.setEnabled(bool(missing))
+        self._clear.setEnabled(bool(self._paths))
+
+    def _missing(self) -> tuple[Path, ...]:
+        return tuple(path for path in self._paths if not path.is_file())
+
+    def _make_action(self, name: str, text: str, run: Callable[[], None]) -> QAction:
+        action = self._menu.addAction(text)
+        action.setObjectName(name)
+        action.triggered.connect(lambda _checked=False: run())
+        return action
 
 
 def _stored(settings: QSettings | None) -> list[Path]:

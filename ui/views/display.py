@@ -74,6 +74,7 @@ class Display(QObject):
         for dock in self._window.findChildren(QDockWidget):
             if dock.features() & QDockWidget.DockWidgetFeature.DockWidgetFloatable:
                 action = menu.addAction(dock.windowTitle())
+                action.setObjectName(f"undock.{dock.objectName()}")
                 action.setCheckable(True)
                 action.setChecked(dock.isFloating())
                 action.toggled.connect(dock.setFloating)
