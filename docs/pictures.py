@@ -68,8 +68,8 @@ class Painter:
         self.studio = Studio(theme)
         self.session, self.window, self.controller = self.studio.session, self.studio.window, self.studio.controller
         self.window.resize(*SIZE)
-        self.window.reset_layout()
         self.window.show()
+        self.window.reset_layout()
 
     def settle(self, rest_s: float = 1.0) -> None:
         """Wait until everything in sight is built and drawn."""
