@@ -46,8 +46,8 @@ class Photographer:
 
     def __call__(self, name: str) -> None:
         """Take a picture of a scene."""
-        QApplication.processEvents()
-        QApplication.sendPostedEvents()
+        for _ in range(3):
+            QApplication.processEvents()
         shot = QGuiApplication.primaryScreen().grabWindow(0, 0, 0, *self._size)
         shot.save(str(self._folder / f"{self._prefix}-{name}.png"))
         tops = [top for top in QApplication.topLevelWidgets() if top.isVisible()]

@@ -65,6 +65,7 @@ class MainWindow(QMainWindow):
         self._settings = settings
         self._painted = self._closed = self._solid_mode = False
         self._layers_shown = True
+        self._layers_aside, self._sizes = False, (FORM_WIDTH, LAYERS_WIDTH, ANALYSIS_LEAST)
         self.setObjectName("main_window")
         self.setWindowIcon(QIcon(str(HERE / "icons" / "gearstudio.svg")))
         self.setAcceptDrops(True)
@@ -149,6 +150,7 @@ class MainWindow(QMainWindow):
     def reset_layout(self) -> None:
         """Put every panel back in its place."""
         solid = self._solid_mode
+        self.analysis.expand.setChecked(False)
         self.show_solid_mode(False)
         for dock, area in self._docks.items():
             dock.setFloating(False)
@@ -159,7 +161,6 @@ class MainWindow(QMainWindow):
         layers.setVisible(self.width() >= ROOMY_WIDTH)
         self.resizeDocks([parameters, derived], [62, 38], Qt.Orientation.Vertical)
         self.resizeDocks([parameters, layers], [FORM_WIDTH, LAYERS_WIDTH], Qt.Orientation.Horizontal)
-        self.analysis.expand.setChecked(False)
         for dock in self.findChildren(QDockWidget):
             if dock not in (*self._docks, self._solid_dock):
                 self.add_low_dock(dock)
@@ -172,6 +173,20 @@ class MainWindow(QMainWindow):
         dock.setFloating(False)
         self.tabifyDockWidget(list(self._docks)[-1], dock)
         dock.hide()
+
+    def _expand_analysis(self, on: bool) -> None:
+        """Give the analysis the room of views and layers, or give it back; the other panels keep their widths."""
+        parameters, _, layers, analysis = self._docks
+        if on:
+            self._sizes = parameters.width(), layers.width(), analysis.height()
+            self._layers_aside = layers.isVisible()
+        self.area.setVisible(not on)
+        if self._layers_aside:
+            layers.setVisible(not on)
+        left, right, height = self._sizes
+        self.resizeDocks([parameters, layers], [left, right], Qt.Orientation.Horizontal)
+        if not on:
+            self.resizeDocks([analysis], [height], Qt.Orientation.Vertical)
 
     def _fit_analysis(self) -> None:
         """Room for what is in sight below the views: the table as it is, a chart as large as it needs."""
@@ -250,7 +265,7 @@ class MainWindow(QMainWindow):
         analysis = list(self._docks)[-1]
         analysis.setTitleBarWidget(self.analysis.bar)
         self.analysis.tab_chosen.connect(lambda _tab: self._fit_analysis())
-        self.analysis.expanded.connect(lambda on: self.area.setVisible(not on))
+        self.analysis.expanded.connect(self._expand_analysis)
         for dock in self._docks:
             action = dock.toggleViewAction()
             action.setObjectName(f"panels.{dock.objectName()}")

@@ -18,11 +18,11 @@ MARGIN = 10
 PLATE_ALPHA = 215
 """Words over the views stand on a plate through which the gear is just seen."""
 LEAST_TITLE = 90
-"""Narrower panes have no title that does not fit [pixels]."""
+"""Narrower panes have no title [pixels]."""
 DOT = " · "
 """Between the parts of a title."""
-_PLATE = 11
-"""Padding and border at the sides of a title."""
+_PLATE = 14
+"""Padding, border and margin at the sides of a title."""
 
 
 class _Overlay(QWidget):

@@ -84,13 +84,13 @@ class Stage:
 
     def show(self, name: str, rest: float = 0.0) -> None:
         """Let somebody look at the scene."""
-        spin(rest or self.rest)
+        self._pause(rest)
         self.look(name)
 
     def page(self, tab: str, rest: float = 0.0) -> QWidget:
         """Another page of the analysis."""
         self.window.analysis.show_tab(tab)
-        spin(rest or self.rest)
+        self._pause(rest)
         return self.window.analysis.page
 
     def preset(self, key: str) -> None:
@@ -116,7 +116,7 @@ class Stage:
         """What opens when something is done; it is closed then."""
         before = set(_tops())
         act()
-        spin(rest or self.rest)
+        self._pause(rest)
         self.look(name)
         self.close_all(before)
 
@@ -136,7 +136,7 @@ class Stage:
         timer.timeout.connect(answer)
         timer.start()
         act()
-        spin(0.1)
+        spin(min(self.rest, 0.1))
 
     def menu(self, name: str, menu: QMenu, place: QWidget | None = None) -> None:
         """A menu below a part of the window."""
@@ -145,14 +145,18 @@ class Stage:
         spin(self.rest)
         self.look(name)
         menu.close()
-        spin(0.1)
+        spin(min(self.rest, 0.1))
 
     def close_all(self, but: set[QWidget] | None = None) -> None:
         """Close every window but these, and the main one."""
         for top in _tops():
             if top is not self.window and top not in (but or set()):
                 top.close()
-        spin(0.15)
+        spin(min(self.rest, 0.15))
+
+    def _pause(self, rest: float) -> None:
+        """Let everything be drawn: as long as a scene needs it, where pictures are taken."""
+        spin(max(rest, self.rest) if self.built else self.rest)
 
     def leave(self) -> None:
         """Close the window."""

@@ -65,7 +65,7 @@ class DatasheetPage(QWidget):
         split = QSplitter(Qt.Orientation.Horizontal)
         split.addWidget(self.table)
         split.addWidget(self.explanation)
-        split.setSizes([620, 380])
+        split.setSizes([700, 320])
         split.setChildrenCollapsible(False)
         self._stack = QStackedWidget()
         self._stack.addWidget(split)

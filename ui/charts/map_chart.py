@@ -8,6 +8,7 @@ import numpy as np
 import pyqtgraph as pg
 from numpy.typing import NDArray
 from PySide6.QtCore import QPointF, QRectF, Signal
+from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from ui.charts.colors import chart_color
@@ -19,7 +20,7 @@ from ui.charts.records import Table
 from ui.theme import is_dark
 from ui.words import tr
 
-MOST_LINES, BAR_BLOCKS = 4, 14
+MOST_LINES, LEAST_BLOCKS, BAR_BLOCKS, BAR_MARGIN = 4, 4, 14, 24
 LEAST_ASIDE = 0.05
 """Room left and right of a map, as a share of its width."""
 
@@ -88,8 +89,21 @@ class MapChart(QWidget):
         if self.data.colors is not None:
             for plot, one in zip(self._plots, self.data.maps, strict=True):
                 plot.show_map(one, self.data.colors(one.image))
-            if self.data.scale is not None and self._bar is not None:
-                self._bar.setText(_bar_text(self.data.scale, self.data.colors))
+            self._fill_bar()
+
+    def _fill_bar(self) -> None:
+        """The scale below the maps, with as many blocks of colour as there is room for."""
+        scale, colors = self.data.scale, self.data.colors
+        if scale is None or colors is None or self._bar is None:
+            return
+        metrics = self.fontMetrics()
+        words = metrics.horizontalAdvance(f"{scale.title}: {scale.write(scale.low)}  {scale.write(scale.high)}")
+        blocks = (self.width() - words - BAR_MARGIN) // max(metrics.horizontalAdvance("█"), 1)
+        self._bar.setText(_bar_text(scale, colors, min(max(blocks, LEAST_BLOCKS), BAR_BLOCKS)))
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._fill_bar()
 
     def _on_moved(self, place: QPointF) -> None:
         for plot, one in zip(self._plots, self.data.maps, strict=True):
@@ -176,9 +190,9 @@ def _value_at(one: FlankMap, place: QPointF) -> float | None:
     return float(one.image[row, column])
 
 
-def _bar_text(scale: Scale, colors: Colors) -> str:
+def _bar_text(scale: Scale, colors: Colors, blocks: int) -> str:
     """The colours of a scale in a line of text, between its ends."""
-    shades = colors(np.linspace(scale.low, scale.high, BAR_BLOCKS))[:, :3]
-    blocks = "".join(f'<span style="color:#{r:02x}{g:02x}{b:02x}">█</span>' for r, g, b in shades)
+    shades = colors(np.linspace(scale.low, scale.high, blocks))[:, :3]
+    bar = "".join(f'<span style="color:#{r:02x}{g:02x}{b:02x}">█</span>' for r, g, b in shades)
     low, high = scale.write(scale.low), scale.write(scale.high)
-    return f'<span style="color:{chart_color("muted").name()}">{scale.title}: {low}&nbsp;{blocks}&nbsp;{high}</span>'
+    return f'<span style="color:{chart_color("muted").name()}">{scale.title}: {low}&nbsp;{bar}&nbsp;{high}</span>'

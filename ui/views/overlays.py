@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtWidgets import QWidget
 
 from ui.layers import Panel
-from ui.view_overlay import MARGIN, Axes, Divider, Marker, PaneTitle, Pin, ScaleBar
+from ui.view_overlay import LEAST_TITLE, MARGIN, Axes, Divider, Marker, PaneTitle, Pin, ScaleBar
 from ui.views.panes import PANES
 
 if TYPE_CHECKING:
@@ -36,6 +36,11 @@ class Overlays:
         """What belongs into a picture of the views, from the lowest up."""
         return (*self.dividers, *self.axes, *self.scales, *self.pins, *self.titles)
 
+    @property
+    def title_height(self) -> int:
+        """How far down from the top of the views titles reach."""
+        return max((title.geometry().bottom() for title in self.titles if not title.isHidden()), default=0)
+
     def set_theme(self, dark: bool) -> None:
         """Light or dark."""
         for overlay in (*self.titles, *self.values, *self.dividers, *self.axes, *self.scales):
@@ -61,7 +66,7 @@ class Overlays:
                 value.move(
                     round((pane + 1) * width) - value.width() - MARGIN, parent.height() - value.height() - MARGIN
                 )
-            title.setVisible(shown and not title.empty)
+            title.setVisible(shown and not title.empty and width >= LEAST_TITLE)
             value.setVisible(shown and not value.empty and hovering)
             own = shown and (pane == 0 or not linked)
             axes, scale = self.axes[pane], self.scales[pane]
