@@ -148,7 +148,7 @@ _DIRECTIONS = {
 }
 
 
-def view(name: str, focus: Focus, aspect: float, current: Camera | None = None) -> Camera:
+def view(name: str, focus: Focus, aspect: float, current: Camera | None = None, above: float = 0.0) -> Camera:
     """Camera of a named view; the gear's apex is up.
 
     Parameters
@@ -160,10 +160,12 @@ def view(name: str, focus: Focus, aspect: float, current: Camera | None = None) 
         Width over height of one view.
     current : Camera, optional
         Its projection is kept.
+    above : float
+        Share of the height of the view that titles take; what is shown whole stays below them.
     """
     parallel = current is not None and current.parallel
     if name == "fit" and current is not None:
-        return _filling(current, focus.points, aspect, _FILL_ALL)
+        return _filling(current, focus.points, aspect, _FILL_ALL, above)
     if name in ("tooth", "concave", "convex", "flank") and focus.flanks:
         back = _tooth_direction("concave" if name == "flank" else name, focus)
         aimed = Camera(focus.tooth_centre, back, _apex_up(back), focus.tooth_radius, parallel)
@@ -172,11 +174,11 @@ def view(name: str, focus: Focus, aspect: float, current: Camera | None = None) 
     if name == "iso" and focus.flanks.get("concave", _ISO)[1] > 0:
         back = back * np.array([1.0, -1.0, 1.0])
     aimed = Camera(focus.centre, back, _apex_up(back), focus.radius, parallel)
-    return _filling(aimed, focus.points, aspect, _FILL_ALL)
+    return _filling(aimed, focus.points, aspect, _FILL_ALL, above)
 
 
-def _filling(camera: Camera, points: Floats, aspect: float, share: float) -> Camera:
-    """Points in the middle, taking up a share of the view; perspective by a few corrections."""
+def _filling(camera: Camera, points: Floats, aspect: float, share: float, above: float = 0.0) -> Camera:
+    """Points in the middle of what is free below, taking up a share of it; perspective by a few corrections."""
     axes = np.stack([camera.right, camera.up, camera.back])
     places, focal, half = axes @ points.T, axes @ camera.focal, camera.half_height
     for _ in range(4):
@@ -186,8 +188,8 @@ def _filling(camera: Camera, points: Floats, aspect: float, share: float) -> Cam
             places, depth = places[:, depth > 1e-6], depth[depth > 1e-6]
         seen = [(places[axis] - focal[axis]) / depth for axis in (0, 1)]
         low, high = ([float(end(one)) for one in seen] for end in (np.min, np.max))
-        focal = focal + np.array([low[0] + high[0], low[1] + high[1], 0.0]) / 2
-        half = max((high[0] - low[0]) / aspect, high[1] - low[1]) / (2 * share)
+        half = max((high[0] - low[0]) / aspect, (high[1] - low[1]) / (1 - above)) / (2 * share)
+        focal = focal + np.array([low[0] + high[0], low[1] + high[1] + 2 * above * half, 0.0]) / 2
     return replace(camera, focal=axes.T @ focal, half_height=float(half))
 
 

@@ -225,7 +225,9 @@ class ViewGrid(QWidget):
                 seen = [thinned(x.points) for pane in range(len(self._panels)) for x in self.shown(pane)]
                 focus = replace(focus, points=np.concatenate(seen)) if seen else focus
             pane = self.viewport.active
-            self.viewport.set_camera(view(name, focus, self.viewport.aspect, self.viewport.look), pane)
+            above = self.overlays.title_height / max(self.height(), 1)
+            look = view(name, focus, self.viewport.aspect, self.viewport.look, min(above, 0.3))
+            self.viewport.set_camera(look, pane)
             self.follow_cameras()
         self.view_changed.emit(name)
 
