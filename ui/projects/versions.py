@@ -8,7 +8,7 @@ from datetime import datetime
 from pathlib import Path
 from typing import Any
 
-from PySide6.QtCore import QDateTime, QLocale
+from PySide6.QtCore import QDateTime, QLocale, Qt
 
 from gearstudio.design import Design
 from gearstudio.errors import DesignError, FileError, GeometryError
@@ -102,8 +102,9 @@ def field_title(field: str) -> str:
 
 
 def short_date(when: datetime) -> str:
-    """A moment as this user writes it, to the second."""
+    """A moment as this user writes it, to the second; the year first where nobody said how."""
     moment = QDateTime.fromSecsSinceEpoch(int(when.timestamp()))
-    locale = QLocale()
-    day = locale.toString(moment.date(), QLocale.FormatType.ShortFormat)
+    locale, date = QLocale(), moment.date()
+    nobody = locale.language() == QLocale.Language.C
+    day = date.toString(Qt.DateFormat.ISODate) if nobody else locale.toString(date, QLocale.FormatType.ShortFormat)
     return f"{day} {moment.time().toString('HH:mm:ss')}"
