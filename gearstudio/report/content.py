@@ -15,18 +15,20 @@ from gearstudio.analysis.convergence import ConvergenceStudy, convergence_point,
 from gearstudio.analysis.datasheet import DataSheet, data_sheet
 from gearstudio.catalogue import MEMBERS, METHOD_IDS, VARIANTS, MemberName, Variant
 from gearstudio.design import Design
-from gearstudio.errors import GearStudioError
+from gearstudio.errors import GearStudioError, Issue
 from gearstudio.report.exports import Exported, exports_in
 from gearstudio.report.language import told
 from gearstudio.report.measuring import Measured, MeasuredFile, compared
 from gearstudio.results import VariantResult
 from gearstudio.theory.cones import PairGeometry, pair_geometry
+from gearstudio.validation import check
 
 Report = Callable[[str, float], None]
 Key = tuple[MemberName, str, Variant]
 T = TypeVar("T")
 
 _BUILT_FOR = {"comparison", "deviation", "curvature", "topography"}
+_PATIENCE_S = 1.0
 _SAMPLES = (49, 49)
 _COUNTS = (4, 6, 8, 11, 15, 21, 30)
 
@@ -44,6 +46,8 @@ class Content:
         Where the project is, if it is saved, and the exports with a record there.
     measured :
         Measured points against this design; None where there are none or where they are of another gear.
+    warnings :
+        What is doubtful about the design.
     """
 
     design: Design
@@ -58,6 +62,7 @@ class Content:
     folder: Path | None = None
     exports: tuple[Exported, ...] = ()
     measured: Measured | None = None
+    warnings: tuple[Issue, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -94,8 +99,9 @@ def gather(
     file = beside.measured if "measurement" in sections else None
     measured = None if file is None else _tried(lambda: compared(design, pair, file), notes)
     return Content(
-        design, pair, member, results, failures, sheet, contact, studies, tuple(notes), beside.folder, exports, measured
-    )
+        design, pair, member, results, failures, sheet, contact, studies, tuple(notes), beside.folder, exports,
+        measured, check(design, _PATIENCE_S),
+    )  # fmt: skip
 
 
 def _studies(design: Design, member: MemberName) -> tuple[ConvergenceStudy, ...]:

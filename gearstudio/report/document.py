@@ -13,14 +13,14 @@ from pathlib import Path
 
 from gearstudio import __version__
 from gearstudio.catalogue import MemberName
-from gearstudio.design import Design
+from gearstudio.design import Design, all_field_specs
 from gearstudio.design.choices import choice_title
-from gearstudio.errors import ModellingError
+from gearstudio.errors import Issue, ModellingError
 from gearstudio.report.blocks import Pages
 from gearstudio.report.chapters import chapter
 from gearstudio.report.content import Beside, Content, gather
 from gearstudio.report.fonts import FAMILIES, cjk_family
-from gearstudio.report.language import CJK, MEMBERS_SAID, inline, language, moment, number, speaking, tr
+from gearstudio.report.language import CJK, MEMBERS_SAID, inline, language, moment, number, speaking, told, tr
 from gearstudio.report.sections import SECTION_KEYS, SECTIONS
 from gearstudio.report.store import Store, Taken
 from gearstudio.words import ENGLISH, noted
@@ -155,8 +155,15 @@ def _facts(content: Content) -> tuple[tuple[str, str], ...]:
         (tr("Maps show"), tr(MEMBERS_SAID[content.member])),
         (tr("Tolerance"), tr("{size} µm for the optimised variants", size=number(d.methods.tolerance_um))),
         (tr("Made"), made),
+        *((tr("Warning"), _issue(issue)) for issue in content.warnings),
         *((tr("Note"), note) for note in content.notes),
     )  # fmt: skip
+
+
+def _issue(issue: Issue) -> str:
+    """What is doubtful, and about which field."""
+    spec = all_field_specs().get(issue.field)
+    return told(issue.message) if spec is None else f"{tr(spec.title)}: {told(issue.message)}"
 
 
 def _pair_words(d: Design) -> str:

@@ -28,7 +28,11 @@ HOLE = re.compile(r"\{[^}]*\}")
 NAMES = r"GearStudio|Python|cadquery|ocp|novtk|numpy|scipy|typst|Linux|Darwin|Windows|UTC|ISO|RMS|blank.MEMBER|\w+_\w+"
 ENGLISH = re.compile(r"\b(the|of|and|with|from|is|are|flank|tooth|wheel|pinion|deviation|error|not)\b", re.IGNORECASE)
 _PROSE = ("meaning", "departure")
-MODIFIED = with_field(Design(name=""), "modifications.pinion.concave.lengthwise_crowning_um", 12.5)
+MODIFIED = with_field(
+    with_field(Design(name=""), "modifications.pinion.concave.lengthwise_crowning_um", 12.5),
+    "pair.face_width_factor",
+    0.36,
+)
 
 
 class Marks(dict[str, str]):

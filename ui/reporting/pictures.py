@@ -20,8 +20,8 @@ if TYPE_CHECKING:
     from ui.view_grid import ViewGrid
     from ui.views.pictures import Steps
 
-_VIEWS, _PAIR = QSize(980, 460), QSize(860, 520)
-_SCALE = 2
+_VIEWS, _PAIR = QSize(710, 350), QSize(860, 520)
+_VIEWS_SCALE, _PAIR_SCALE = 3, 2
 
 
 class ReportPictures(QObject):
@@ -81,12 +81,12 @@ class ReportPictures(QObject):
             copy.show_appearance(replace(copy.appearance, ground=Appearance().ground))
             copy.set_theme(False)
             copy.set_titles(self._titles(copy))
-            yield from self._one("views", copy, painted(copy, bar, PictureOptions(_SCALE)))
+            yield from self._one("views", copy, painted(copy, bar, PictureOptions(_VIEWS_SCALE)))
         else:
             self._missing.append(noted("the window shows solids and not the flanks"))
         pair = self._pair()
         if pair is not None:
-            options = PictureOptions(_SCALE, transparent=True, labels=False, scale_bar=False)
+            options = PictureOptions(_PAIR_SCALE, transparent=True, labels=False, scale_bar=False)
             yield from self._one("pair", pair, painted(pair, None, options))
 
     def _titles(self, grid: ViewGrid) -> dict[str, tuple[str, str]]:
