@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import configparser
 import os
+import shutil
 import subprocess
 import sys
 import tomllib
@@ -29,6 +30,18 @@ def data_files() -> set[str]:
         and "__pycache__" not in path.parts
         and not path.name.startswith(".")
     }
+
+
+def help_pages() -> set[str]:
+    """The pages of the help in all languages, and their pictures, by the link in the package."""
+    found = (path for path in (ROOT / "docs").rglob("*") if path.suffix in (".md", ".png"))
+    return {f"ui/help/pages/{path.relative_to(ROOT / 'docs').as_posix()}" for path in found}
+
+
+def test_the_help_has_its_pages_in_every_language() -> None:
+    pages = help_pages()
+    assert {f"ui/help/pages/{folder}guide.md" for folder in ("", "de/", "zh/")} <= pages
+    assert all((ROOT / page).is_file() for page in pages)
 
 
 def test_the_wheel_takes_every_kind_of_data_file() -> None:
@@ -72,7 +85,11 @@ def test_the_wheel_is_complete_and_runs_from_a_folder_of_its_own(tmp_path: Path)
     assert made.returncode == 0, made.stderr
     (wheel,) = tmp_path.glob("*.whl")
     names = set(zipfile.ZipFile(wheel).namelist())
-    assert data_files() <= names and "main.py" in names and not any(name.startswith("tests") for name in names)
+    assert (
+        data_files() | help_pages() <= names
+        and "main.py" in names
+        and not any(name.startswith("tests") for name in names)
+    )
     assert any(name.endswith("share/applications/gearstudio.desktop") for name in names)
     place = tmp_path / "place"
     assert run("-m", "pip", "install", *options, "--target", str(place), str(wheel)).returncode == 0
@@ -84,11 +101,8 @@ def test_the_wheel_is_complete_and_runs_from_a_folder_of_its_own(tmp_path: Path)
 
 
 def copy_tree(source: Path, target: Path) -> None:
-    for path in source.rglob("*"):
-        if path.is_file() and "__pycache__" not in path.parts:
-            copy = target / path.relative_to(source)
-            copy.parent.mkdir(parents=True, exist_ok=True)
-            copy.write_bytes(path.read_bytes())
+    """A copy in which links, as that to the pages of the help, are files of their own."""
+    shutil.copytree(source, target, ignore=shutil.ignore_patterns("__pycache__"))
 
 
 def test_the_desktop_entry_and_the_file_type_agree() -> None:

@@ -17,6 +17,7 @@ from gearstudio.presets import PRESETS
 from tests.ui.stand_ins import Bench
 from ui.derived_panel import QUANTITIES, SYMBOL
 from ui.explain import explanation
+from ui.habits import Habits
 from ui.help.equations import EquationBrowser, used_by_text
 from ui.help.rows import RowEquations
 from ui.help.ways import keys_of_symbol
@@ -68,6 +69,27 @@ def test_the_key_opens_the_equation_of_the_field_with_the_cursor(bench: Bench, q
     load(bench, "hypoid-car")
     bench.controller.help.ways.show_field("pair.shaft_angle_deg")
     assert shown(bench) == "pitch_cones"
+
+
+def test_a_click_on_the_link_of_an_explanation_opens_the_equation(bench: Bench, qtbot: QtBot) -> None:
+    habits = Habits(bench.controller)
+    habits.explain("tooth.fillet_factor")
+
+    def popup() -> QWidget | None:
+        shown = (widget for widget in QApplication.topLevelWidgets() if widget.isVisible())
+        return next((widget for widget in shown if widget.metaObject().className() == "QWhatsThat"), None)
+
+    qtbot.waitUntil(lambda: popup() is not None)
+    widget = popup()
+    assert widget is not None
+    for y in range(widget.height() - 10, 10, -6):
+        place = QPoint(30, y)
+        QTest.mouseMove(widget, place)
+        if widget.cursor().shape() == Qt.CursorShape.PointingHandCursor:
+            QTest.mouseClick(widget, Qt.MouseButton.LeftButton, pos=place)
+            break
+    assert shown(bench) == "fillet"
+    assert popup() is None
 
 
 def test_the_link_in_an_explanation_opens_the_equation(bench: Bench) -> None:

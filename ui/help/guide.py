@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 from PySide6.QtCore import Qt, QUrl
 from PySide6.QtGui import QColor, QDesktopServices, QImage, QTextCursor, QTextDocument
 from PySide6.QtWidgets import (
@@ -174,5 +176,7 @@ class GuideWindow(QDialog):
     def _follow(self, url: QUrl) -> None:
         if url.isRelative() and url.hasFragment():
             self._jump_to(url.fragment(QUrl.ComponentFormattingOption.FullyDecoded))
+        elif url.isRelative() and self.pages.findData(Path(url.path()).stem) >= 0:
+            self.show_page(Path(url.path()).stem)
         elif not url.isRelative():
             QDesktopServices.openUrl(url)
