@@ -10,7 +10,6 @@ from numpy.typing import NDArray
 from scipy.optimize import brentq
 
 from gearstudio.analysis.section_volume import teeth_volume
-from gearstudio.errors import GeometryError
 from gearstudio.theory.chamfer import EndChamfer, end_point
 from gearstudio.theory.cones import MemberGeometry
 from gearstudio.theory.involute import polar_angle, roll_arc
@@ -41,14 +40,12 @@ def gear_volume(member: MemberGeometry, outline: Floats, chamfers: Sequence[EndC
     Raises
     ------
     GeometryError
-        There is no tooth, or one of a changing profile has chamfers.
+        There is no tooth.
     """
     profile = profile_of(member)
     if isinstance(profile, ToothProfile):
         return member.teeth * _tooth_volume(profile, chamfers) + _body_volume(member, outline)
-    if chamfers:
-        raise GeometryError(f"the volume of a {member.name} with end chamfers is integrated without an offset only")
-    return teeth_volume(profile) + _body_volume(member, outline)
+    return teeth_volume(profile, chamfers) + _body_volume(member, outline)
 
 
 def _tooth_volume(profile: ToothProfile, chamfers: Sequence[EndChamfer]) -> float:
