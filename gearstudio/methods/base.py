@@ -20,7 +20,7 @@ Floats = NDArray[np.float64]
 SAFETY = 0.5
 """Part of the tolerance that a refinement aims at: it looks between its nodes, not everywhere."""
 _MAX_ROUNDS = 14
-_MAX_COUNT = 1000
+_MAX_COUNT = 1600
 _LARGE_CONE_DISTANCE = 250.0
 
 

@@ -13,11 +13,13 @@ from gearstudio.design import Design, with_field
 from gearstudio.errors import ModellingError
 from gearstudio.methods import METHODS, Target
 from gearstudio.methods.base import Refinement
+from gearstudio.methods.rolled import rolled, stretches_of
 from gearstudio.nurbs import NurbsSurface
 from gearstudio.presets import PRESETS
 from gearstudio.results import FlankResult
 from gearstudio.theory.cones import pair_geometry
 from gearstudio.theory.flank import FLANKS, InvoluteFlank, involute_flank
+from gearstudio.theory.involute import generating_line
 from tests.designs import GOLDEN
 from tests.strategies import is_valid
 from tests.theory.members import CORNERS, made
@@ -176,6 +178,38 @@ def test_published_settings_are_those_of_the_paper() -> None:
 
 
 @over_methods
+@pytest.mark.parametrize("curve", ["archimedean", "logarithmic"])
+@pytest.mark.parametrize("wheel_teeth", [112, 200])
+def test_teeth_of_many_turns_are_followed_to_a_nanometre(wheel_teeth: int, curve: str, method) -> None:
+    design = made(pinion_teeth=5, wheel_teeth=wheel_teeth, shaft_angle_deg=30.0, curve=curve, spiral_angle_deg=55.0,
+                  face_width_factor=0.5, addendum_factor=0.6, clearance_factor=0.2)  # fmt: skip
+    assert is_valid(design)
+    member = pair_geometry(design).pinion
+    flank, target = involute_flank(member, "convex"), Target.for_cone_distance(0.001, member.outer_cone_distance)
+    surface = method.build(flank, "optimised", target).surface
+    points = surface.grid(np.linspace(0.0, 1.0, 23) ** 1.05, np.linspace(0.0, 1.0, 3001))
+    assert np.abs(flank.deviation(points)).max() <= target.tolerance
+    assert flank.edge_deviation(points) <= target.tolerance
+
+
+def test_stretches_of_the_roll_meet_and_take_short_pieces_of_the_line() -> None:
+    flank = involute_flank(pair_geometry(DESIGNS["winding"]).pinion, "concave")
+    count = stretches_of(flank)
+    patch = rolled(flank, 11, 15, 1e-6, count)
+    assert count == len(patch.stretches) > 5
+    assert len(patch.positions) == 14 * count + 1
+    width = flank.member.face_width
+    for first, second in pairwise(patch.stretches):
+        assert first.roll[1] == second.roll[0]
+        assert max(s.rho[1] - s.rho[0] for s in (first, second)) < 0.5 * width
+        rho = np.linspace(second.rho[0], first.rho[1], 9)
+        exact = generating_line(flank.member, flank.side, rho, first.roll[1])
+        for stretch in (first, second):
+            assert np.abs(stretch.at(rho, np.full(9, first.roll[1])) - exact).max() < 5e-5
+    assert stretches_of(involute_flank(pair_geometry(Design()).pinion, "concave")) == 1
+
+
+@over_methods
 def test_positions_and_sections_lie_on_the_flank_they_are_made_from(method) -> None:
     flank = involute_flank(pair_geometry(Design()).wheel, "concave")
     for variant in VARIANTS:
@@ -193,5 +227,5 @@ def test_one_to_two_hundred_and_fifty_millimetres_share_a_tolerance() -> None:
 
 def test_a_goal_out_of_reach_is_said() -> None:
     refinement = Refinement("point_cloud", 1e-9, (2,))
-    with pytest.raises(ModellingError, match="remained with 1000 nodes"):
+    with pytest.raises(ModellingError, match="remained with 1600 nodes"):
         refinement.run((10,), lambda counts: (None, (1.0,)))  # type: ignore[arg-type,return-value]
