@@ -90,3 +90,37 @@ def test_words_and_layers_that_know_their_offset() -> None:
     known = replace(one, offset=np.ones_like(one.points))
     plain, moved = stretched((one, known), 11)
     assert plain is one and np.allclose(moved.points, one.points + 10) and moved.true_points is one.points
+
+
+@pytest.mark.parametrize(("wanted", "read"), [("auto", 0), ("1", 1), ("500", 500)])
+def test_the_command_takes_a_factor(wanted: str, read: int) -> None:
+    from gearstudio.cli.parser import make_parser
+
+    args = make_parser().parse_args(["screenshot", "preset:default", "--out", "a.png", "--exaggerate", wanted])
+    assert args.exaggerate == read
+
+
+@pytest.mark.parametrize("wrong", ["0", "-3", "many", "1.5"])
+def test_the_command_refuses_what_is_no_factor(wrong: str, capsys) -> None:
+    from gearstudio.cli.parser import make_parser
+
+    with pytest.raises(SystemExit):
+        make_parser().parse_args(["screenshot", "preset:default", "--out", "a.png", f"--exaggerate={wrong}"])
+    assert "is no factor" in capsys.readouterr().err
+
+
+def test_titles_leave_out_what_matters_least(qtbot) -> None:
+    from PySide6.QtGui import QFont, QFontMetricsF
+
+    from ui.view_overlay import fitted
+
+    metrics = QFontMetricsF(QFont())
+    words = "max 46.7 µm · deviation ×100 · mean 7.95 µm"
+    assert fitted(words, metrics, 1e4) == (words,)
+    two = metrics.horizontalAdvance("max 46.7 µm · deviation ×100") + 1
+    assert fitted(words, metrics, two) == ("max 46.7 µm · deviation ×100",)
+    one = metrics.horizontalAdvance("max 46.7 µm") + 1
+    assert fitted(words, metrics, one) == ("max 46.7 µm",)
+    assert fitted(words, metrics, one / 2)[0].endswith("…")
+    lines = fitted("Rotating line · optimised", metrics, metrics.horizontalAdvance("Rotating line") + 2, breaks=True)
+    assert lines == ("Rotating line", "optimised")
