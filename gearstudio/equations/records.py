@@ -10,18 +10,18 @@ import numpy as np
 
 from gearstudio.theory.cones import MemberGeometry, PairGeometry
 
-Unit = Literal["mm", "µm", "°", "rad", ""]
+Unit = Literal["mm", "in", "µm", "°", "rad", ""]
 Holds = Literal["always", "no offset", "own depth", "standard depth", "offset"]
 """For which pairs an equation holds: all; those whose axes meet; of these, those with depths from the module; those
 with depths after ISO 23509 or with an offset; those with an offset."""
 _UNITS: dict[Unit, str] = {
-    "": "", "°": '"°"', "mm": ' thin "mm"', "µm": ' thin "µm"', "rad": ' thin "rad"',
+    "": "", "°": '"°"', "mm": ' thin "mm"', "in": ' thin "in"', "µm": ' thin "µm"', "rad": ' thin "rad"',
 }  # fmt: skip
 
 
 @dataclass(frozen=True)
 class Given:
-    """A symbol (typst mathematics), its value in `unit`, and the unit: mm, µm, °, rad or none."""
+    """A symbol (typst mathematics), its value, and the unit; lengths of a design come in mm or µm, never in inches."""
 
     symbol: str
     value: float

@@ -10,8 +10,10 @@ from PySide6.QtGui import QImage, QTextDocument
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
-from gearstudio.equations import EQUATIONS, numbers_of
+from gearstudio.equations import EQUATIONS, equation, numbers_of
 from gearstudio.theory.cones import pair_geometry
+from ui import units
+from ui.help import typeset
 from ui.help.equations import EquationBrowser
 from ui.help.guide import GuideWindow
 from ui.help.pages_of import PAGES, page_path, pages_folder, slug, term_of
@@ -139,6 +141,15 @@ def test_every_equation_can_be_drawn_in_both_themes(session: Session, colors: ob
     for one in EQUATIONS:
         put = numbers_of(one, pair, "wheel")
         assert drawing(one, {} if put is None else {"wheel": put}, colors, 400).startswith(b"<svg")
+
+
+def test_numbers_are_shown_in_the_unit_chosen(session: Session, monkeypatch: pytest.MonkeyPatch) -> None:
+    put = numbers_of(equation("cone_distance"), pair_geometry(session.design), "wheel")
+    assert put is not None
+    assert "86.925255" in typeset._values(put.outputs) and '"mm"' in typeset._values(put.outputs)
+    monkeypatch.setattr(units, "_shown", units.Display("in"))
+    assert "3.4222541" in typeset._values(put.outputs) and '"in"' in typeset._values(put.outputs)
+    assert typeset._values(put.inputs).count('"°"') == 1
 
 
 @pytest.fixture

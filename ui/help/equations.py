@@ -127,6 +127,10 @@ class EquationBrowser(QDialog):
 
         self._setter.request(one.key, work)
 
+    def show_units(self) -> None:
+        """Show the numbers in the unit that the user chose now."""
+        self.show_chosen()
+
     def resizeEvent(self, event: object) -> None:
         """Set the lines anew for the width there is."""
         super().resizeEvent(event)  # type: ignore[arg-type]

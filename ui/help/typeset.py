@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from ui.formatting import MEMBER_TITLES
 from ui.theme import Tokens
+from ui.units import factor, to_shown
 from ui.words import noted, tr
 
 if TYPE_CHECKING:
@@ -105,7 +107,14 @@ def _titled(numbers: dict[str, Numbers]) -> list[tuple[str, Numbers]]:
 
 
 def _values(given: tuple[Given, ...]) -> str:
-    return " ".join(f"#box[${one.mathematics(8)}$#h(1em)]" for one in given)
+    return " ".join(f"#box[${_shown(one).mathematics(8)}$#h(1em)]" for one in given)
+
+
+def _shown(given: Given) -> Given:
+    """A number in the unit of length that the user chose."""
+    if given.unit != "mm" or factor("mm") == 1:
+        return given
+    return replace(given, value=to_shown(given.value, "mm"), unit="in")
 
 
 def _quoted(text: str) -> str:
