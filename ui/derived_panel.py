@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from html import escape
 from typing import TYPE_CHECKING
 
@@ -29,6 +29,7 @@ from ui.words import tr
 
 if TYPE_CHECKING:
     from gearstudio.theory.cones import MemberGeometry, PairGeometry
+    from gearstudio.theory.flank_protocol import FlankName
 
 
 INDENT = 8
@@ -37,16 +38,27 @@ SYMBOL = Qt.ItemDataRole.UserRole
 
 @dataclass(frozen=True)
 class Quantity:
-    """A row: title, symbol, unit of the design, and how it is read from a member."""
+    """A row: title, symbol, unit of the design, and how it is read from a member.
+
+    ``of_flank`` says that flanks of pairs with an offset have it each of their own; ``flank`` is then whose it is.
+    """
 
     title: str
     symbol: str
     unit: str
     read: Callable[[MemberGeometry], float | str]
+    of_flank: bool = False
+    flank: FlankName | None = None
+
+    @property
+    def label(self) -> str:
+        """Title in the user's language, with the flank."""
+        title = tr(self.title)
+        return title if self.flank is None else tr("{quantity}, {flank}", quantity=title, flank=tr(self.flank))
 
     def text(self, member: MemberGeometry) -> str:
         """The value of a member, in the unit shown."""
-        value = self.read(member)
+        value = self.read(member if self.flank is None else _as_flank(member, self.flank))
         return tr(value) if isinstance(value, str) else str(value) if not self.unit else value_text(value, self.unit)
 
 
@@ -64,21 +76,40 @@ QUANTITIES = (
     Quantity("Pitch angle", "δ", "°", _angle(lambda member: member.pitch_angle)),
     Quantity("Face angle", "δ_a", "°", _angle(lambda member: member.tip_angle)),
     Quantity("Root angle", "δ_f", "°", _angle(lambda member: member.root_angle)),
-    Quantity("Base angle", "δ_b", "°", _angle(lambda member: member.base_angle)),
+    Quantity("Base angle", "δ_b", "°", _angle(lambda member: member.base_angle), of_flank=True),
     Quantity("Pitch diameter, heel", "d", "mm", lambda member: member.module * member.teeth),
     Quantity("Addendum, heel", "h_a", "mm", lambda member: member.addendum),
     Quantity("Dedendum, heel", "h_f", "mm", lambda member: member.dedendum),
     Quantity("Outer cone distance", "R", "mm", lambda member: member.outer_cone_distance),
     Quantity("Mean cone distance", "R_m", "mm", lambda member: member.mean_cone_distance),
     Quantity("Face width", "B", "mm", lambda member: member.face_width),
-    Quantity("Base radius, heel", "R_b", "mm", lambda member: member.base_radius),
-    Quantity("Pressure angle, transv.", "α", "°", _angle(lambda member: member.transverse_pressure_angle)),
+    Quantity("Base radius, heel", "R_b", "mm", lambda member: member.base_radius, of_flank=True),
+    Quantity(
+        "Pressure angle, transv.", "α", "°", _angle(lambda member: member.transverse_pressure_angle), of_flank=True
+    ),
     Quantity("Spiral angle, toe", "β", "°", _spiral(lambda member: member.inner_cone_distance)),
     Quantity("Spiral angle, mean", "β_m", "°", _spiral(lambda member: member.mean_cone_distance)),
     Quantity("Spiral angle, heel", "β", "°", _spiral(lambda member: member.outer_cone_distance)),
-    Quantity("Pitch to base element", "γ", "°", _angle(lambda member: member.gamma)),
+    Quantity("Pitch to base element", "γ", "°", _angle(lambda member: member.gamma), of_flank=True),
     Quantity("Fillet radius, heel", "R_f", "mm", lambda member: member.fillet_radius),
 )
+
+
+def quantities(pair: PairGeometry) -> tuple[Quantity, ...]:
+    """The rows of a pair: with an offset both flanks of a tooth have base cone and pressure angle of their own."""
+    if not pair.has_offset:
+        return QUANTITIES
+    rows = [
+        [replace(quantity, flank="concave"), replace(quantity, flank="convex")] if quantity.of_flank else [quantity]
+        for quantity in QUANTITIES
+    ]
+    return tuple(row for both in rows for row in both)
+
+
+def _as_flank(member: MemberGeometry, flank: FlankName) -> MemberGeometry:
+    from gearstudio.theory.modified import flank_member
+
+    return flank_member(member, member.hand if flank == "concave" else -member.hand)
 
 
 def pair_rows(pair: PairGeometry) -> tuple[tuple[str, str, str, str], ...]:
@@ -155,11 +186,14 @@ class DerivedPanel(QWidget):
         """Fill in the values of a pair."""
         self._pair = pair
         members = (pair.pinion, pair.wheel)
-        rows = [(quantity, tuple(quantity.text(member) for member in members)) for quantity in QUANTITIES]
+        rows = [(quantity, tuple(quantity.text(member) for member in members)) for quantity in quantities(pair)]
         shared = pair_rows(pair)
-        self.view.setRowCount(len(rows) + len(shared))
+        if self.view.rowCount() != len(rows) + len(shared):
+            self.view.clearSpans()
+            self.view.setRowCount(0)
+            self.view.setRowCount(len(rows) + len(shared))
         for row, (quantity, values) in enumerate(rows):
-            self._put(row, 0, tr(quantity.title), symbol=quantity.symbol)
+            self._put(row, 0, quantity.label, symbol=quantity.symbol)
             for column, value in enumerate(values, start=1):
                 self._put(row, column, value, right=True)
             self._put(row, 3, unit_shown(quantity.unit))

@@ -6,7 +6,7 @@ from typing import Any
 
 from gearstudio.design import Design, FieldSpec, field_value, with_field
 from gearstudio.errors import GeometryError
-from ui.derived_panel import QUANTITIES, pair_rows
+from ui.derived_panel import pair_rows, quantities
 from ui.explain import field_value_text
 from ui.formatting import MEMBER_TITLES
 from ui.units import spaced
@@ -58,8 +58,8 @@ def _next(spec: FieldSpec, value: Any) -> Any:
 
 def _table(pair: Any) -> dict[str, str]:
     rows = {
-        f"{tr(MEMBER_TITLES[member.name])}, {tr(quantity.title)}": quantity.text(member) + spaced(quantity.unit)
-        for quantity in QUANTITIES
+        f"{tr(MEMBER_TITLES[member.name])}, {quantity.label}": quantity.text(member) + spaced(quantity.unit)
+        for quantity in quantities(pair)
         if quantity.unit
         for member in (pair.pinion, pair.wheel)
     }
