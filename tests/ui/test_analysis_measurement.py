@@ -150,6 +150,23 @@ def test_bars_stand_on_the_measured_grid(file: Path) -> None:
     assert len(measured_layers(done)[1].points) == 360
 
 
+def test_measured_deviations_are_drawn_as_many_times_as_large_as_wanted(file: Path) -> None:
+    from gearstudio.theory.modified import flank_on
+    from ui.views.exaggeration import stretched
+
+    done = measured(Design(), pair_geometry(Design()), "wheel", Source(file), (True, True), lambda _s, _f: None)
+    layers = measured_layers(done, 1)
+    flanks = [flank_on(done.member, side) for side in (1, -1)]
+    for before, after in zip(layers, stretched(layers, 40), strict=True):
+        assert before.offset is not None and np.allclose(after.true_points, before.points)
+        angle = -done.member.pitch
+        c, s = np.cos(angle), np.sin(angle)
+        first = after.points @ np.array([[c, s, 0], [-s, c, 0], [0, 0, 1]])
+        off = np.stack([1e3 * flank.deviation(first) for flank in flanks])
+        nearest = off[np.abs(off).argmin(axis=0), np.arange(len(first))]
+        assert np.abs(nearest - 40 * before.scalars).max() < 0.1 * 40 * np.abs(before.scalars).max()
+
+
 def test_scattered_points_and_one_flank_are_drawn_too(tmp_path: Path) -> None:
     flank, random = involute_flank(PAIR.wheel, "convex"), np.random.default_rng(2)
     np.savetxt(tmp_path / "s.dat", flank.points(*random.uniform(0.02, 0.98, (2, 2000))))

@@ -15,4 +15,4 @@ def factor_text(factor: int) -> str:
 
 def factor_rows() -> list[tuple[int, str]]:
     """The factors to choose from, in words."""
-    return [(OFF, tr("Off, as it is")), (AUTOMATIC, tr("Automatic")), *((one, factor_text(one)) for one in FACTORS)]
+    return [(OFF, tr("×1, as it is")), (AUTOMATIC, tr("Automatic")), *((one, factor_text(one)) for one in FACTORS)]
