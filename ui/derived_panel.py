@@ -33,6 +33,7 @@ if TYPE_CHECKING:
 
 
 INDENT = 8
+FLANK_INDENT = "\N{NO-BREAK SPACE}" * 4
 SYMBOL = Qt.ItemDataRole.UserRole
 
 
@@ -40,7 +41,8 @@ SYMBOL = Qt.ItemDataRole.UserRole
 class Quantity:
     """A row: title, symbol, unit of the design, and how it is read from a member.
 
-    ``of_flank`` says that flanks of pairs with an offset have it each of their own; ``flank`` is then whose it is.
+    ``of_flank`` says that flanks of pairs with an offset have it each of their own; ``flank`` is then whose it is, in
+    a row below one without values.
     """
 
     title: str
@@ -51,13 +53,22 @@ class Quantity:
     flank: FlankName | None = None
 
     @property
-    def label(self) -> str:
+    def name(self) -> str:
         """Title in the user's language, with the flank."""
         title = tr(self.title)
         return title if self.flank is None else tr("{quantity}, {flank}", quantity=title, flank=tr(self.flank))
 
+    @property
+    def label(self) -> str:
+        """What the row begins with: the title, or below it the flank."""
+        if self.flank is None:
+            return tr(self.title)
+        return FLANK_INDENT + (tr("concave flank") if self.flank == "concave" else tr("convex flank"))
+
     def text(self, member: MemberGeometry) -> str:
         """The value of a member, in the unit shown."""
+        if self.of_flank and self.flank is None and member.hypoid is not None:
+            return ""
         value = self.read(member if self.flank is None else _as_flank(member, self.flank))
         return tr(value) if isinstance(value, str) else str(value) if not self.unit else value_text(value, self.unit)
 
@@ -100,7 +111,9 @@ def quantities(pair: PairGeometry) -> tuple[Quantity, ...]:
     if not pair.has_offset:
         return QUANTITIES
     rows = [
-        [replace(quantity, flank="concave"), replace(quantity, flank="convex")] if quantity.of_flank else [quantity]
+        [quantity, replace(quantity, flank="concave"), replace(quantity, flank="convex")]
+        if quantity.of_flank
+        else [quantity]
         for quantity in QUANTITIES
     ]
     return tuple(row for both in rows for row in both)
@@ -196,7 +209,7 @@ class DerivedPanel(QWidget):
             self._put(row, 0, quantity.label, symbol=quantity.symbol)
             for column, value in enumerate(values, start=1):
                 self._put(row, column, value, right=True)
-            self._put(row, 3, unit_shown(quantity.unit))
+            self._put(row, 3, unit_shown(quantity.unit) if values[0] else "")
         for row, (title, symbol, value, unit) in enumerate(shared, start=len(rows)):
             self._put(row, 0, tr(title), symbol=symbol)
             self._put(row, 1, value, right=True)

@@ -58,9 +58,10 @@ def _next(spec: FieldSpec, value: Any) -> Any:
 
 def _table(pair: Any) -> dict[str, str]:
     rows = {
-        f"{tr(MEMBER_TITLES[member.name])}, {quantity.label}": quantity.text(member) + spaced(quantity.unit)
+        f"{tr(MEMBER_TITLES[member.name])}, {quantity.name}": quantity.text(member) + spaced(quantity.unit)
         for quantity in quantities(pair)
         if quantity.unit
         for member in (pair.pinion, pair.wheel)
+        if quantity.text(member)
     }
     return rows | {tr(title): text for title, _, text, _ in pair_rows(pair)}
