@@ -97,6 +97,7 @@ def report_tables() -> set[str]:
         found |= {spec.title, spec.group, *map(choice_title, spec.choices)}
     for equation in EQUATIONS:
         found |= {equation.title, equation.meaning, equation.departure, equation.evidence, equation.group}
+        found.add(equation.section)
     for design in (Design(), *(preset.design for preset in PRESETS)):
         for quantity in data_sheet(design).quantities:
             found |= {quantity.name, quantity.group}

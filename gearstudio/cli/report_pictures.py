@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 _PICTURES = {
     "pair.png": ("--mode", "pair", "--size", "860x520", "--scale", "2", "--no-labels", "--transparent"),
-    "views.jpg": ("--size", "780x350", "--scale", "3"),
+    "views.jpg": ("--size", "780x300", "--scale", "3"),
 }
 _PATIENCE_S = 300.0
 _NO_REASON, _TOO_LONG = noted("it ended without a reason"), noted("it took too long")

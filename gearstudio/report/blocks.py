@@ -78,12 +78,11 @@ Block = Text | Heading | Table | Picture | Formula
 
 @dataclass(frozen=True)
 class Chapter:
-    """A section of the report with its blocks; `fresh` begins a page."""
+    """A section of the report with its blocks."""
 
     key: str
     title: str
     blocks: tuple[Block, ...]
-    fresh: bool = False
 
 
 @dataclass(frozen=True)

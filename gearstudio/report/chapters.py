@@ -15,14 +15,13 @@ from gearstudio.report.mathematics import pointed, prose
 from gearstudio.report.sections import SECTIONS
 from gearstudio.report.store import Store
 
-_FRESH = {"design", "sheet"}
 _TINY_MM = 1e-9
 
 
 def chapter(key: str, content: Content, store: Store) -> Chapter:
     """One chapter of the report."""
     title = next(section.title for section in SECTIONS if section.key == key)
-    return Chapter(key, tr(title), tuple(_MAKERS[key](content, store)), key in _FRESH)
+    return Chapter(key, tr(title), tuple(_MAKERS[key](content, store)))
 
 
 def _pictures(_: Content, store: Store) -> list[Block]:

@@ -40,7 +40,7 @@ def flat(content: Content, points: Floats) -> tuple[Floats, Floats]:
 
 def deviation_maps(content: Content, flank: FlankName) -> bytes:
     """All methods, one row for each variant, each with a scale of its own: signed deviation."""
-    with figure(Frame(2.95, len(VARIANTS), len(METHOD_INFOS), "each")) as (drawn, axes):
+    with figure(Frame(2.75, len(VARIANTS), len(METHOD_INFOS), "each")) as (drawn, axes):
         for row, variant in zip(axes, VARIANTS, strict=True):
             for ax, method in zip(row, METHOD_INFOS, strict=True):
                 ax.set_title(f"{tr(method.title)}, {tr(variant)}")

@@ -13,9 +13,9 @@ _FUNCTIONS = {"sin", "cos", "tan", "cot", "arccos", "arcsin", "arctan", "min", "
 _LONGEST_INDEX = 3
 _SHORT_WORDS = {"tip"}
 _APART = "\x1f"
-_WORD = r"[^\W\d_²³]{2,}(?:'s(?!\w))?"
+_WORD = r"[^\W\d_²³]{2,}(?:-[^\W\d_]{2,}|'s(?!\w))?"
 _PIECES = re.compile(
-    rf"(?P<text>atan2|{_WORD}(?:-[^\W\d_]{{2,}})?(?:,? (?:{_WORD}|a)(?![\w′*]))*(?:[:;](?= ))?)"
+    rf"(?P<text>atan2|{_WORD}(?:,? (?:{_WORD}|a)(?![\w′*]))*(?:[:;](?= ))?)"
     r"|(?P<letter>[^\W\d_²³])|(?P<number>\d+(?:\.\d+)?)|(?P<other>.)",
     re.DOTALL,
 )

@@ -93,7 +93,7 @@ def figure(frame: Frame) -> Iterator[tuple[Figure, Any]]:
 
     side = _BAR + _BAR_GAP + _BAR_TEXT if frame.bars != "none" else 0.0
     wide = (TEXT_WIDTH - frame.left - _RIGHT - side) / frame.columns
-    gap = (side if frame.bars == "each" else 0.0) + (0.38 if frame.own_y else 0.14)
+    gap = (side if frame.bars == "each" else 0.0) + (0.38 if frame.own_y else 0.3 if frame.own_x else 0.14)
     high = (frame.height - _TOP - _BOTTOM - frame.foot) / frame.rows
     fall = 0.42 if frame.own_x else 0.24
     width = wide - gap * (frame.columns - 1) / frame.columns

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from ui.view_grid import ViewGrid
     from ui.views.pictures import Steps
 
-_VIEWS, _PAIR = QSize(710, 350), QSize(860, 520)
+_VIEWS, _PAIR = QSize(710, 300), QSize(860, 520)
 _VIEWS_SCALE, _PAIR_SCALE = 3, 2
 
 
