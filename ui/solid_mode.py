@@ -166,11 +166,10 @@ class SolidMode(QObject):
         self.solids.build()
 
     def _show_flanks(self) -> None:
-        if self.view is None:
+        if self.view is None or self.pointer is None:
             return
         self.view.close()
-        if self.pointer is not None:
-            self.pointer.show_solids({})
+        self.pointer.show_solids({})
         if self._window.area.color_bar is not None:
             self._window.area.color_bar.show()
         self._presenter.redraw()
@@ -248,6 +247,7 @@ class SolidMode(QObject):
         color_bar, colored = self._window.area.color_bar, self._panel.deviation
         if color_bar is not None:
             color_bar.setVisible(colored)
+            color_bar.show_exaggeration(1)
             limits = [self.solids.built[key].largest_um for key in self.keys if key in self.solids.built]
             if colored and limits:
                 color_bar.set_data_limit(max(limits))

@@ -6,6 +6,7 @@ import os
 import sys
 import threading
 from collections.abc import Iterator
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -96,6 +97,20 @@ def test_an_older_gear_is_not_put_up_after_the_mode_is_left(bench: Bench, qtbot)
     mode.set_mode("flanks")
     qtbot.wait(300)
     assert all(panel.key != "solid" for panel in bench.window.area.grid.panels)
+
+
+def test_the_scale_of_solids_is_that_of_their_deviation(bench: Bench, qtbot) -> None:
+    bar, display = bench.window.area.color_bar, bench.controller.display
+    display.show_appearance(replace(bench.window.area.grid.appearance, quantity="gaussian", exaggeration=100))
+    qtbot.waitUntil(lambda: bar._factor == 100, timeout=PATIENCE_MS)
+    assert bar.quantity.id == "gaussian"
+    show(bench, qtbot)
+    bench.window.solid_panel._deviation.setChecked(True)
+    qtbot.waitUntil(lambda: bar.isVisible() and bar._factor == 1, timeout=PATIENCE_MS)
+    assert bar.quantity.is_deviation and bar.range[0] == -bar.range[1]
+    bench.controller.solid_mode.set_mode("flanks")
+    qtbot.waitUntil(lambda: bar._factor == 100, timeout=PATIENCE_MS)
+    assert bar.quantity.id == "gaussian"
 
 
 def test_a_pinned_place_is_told_with_face_coordinates_and_methods(bench: Bench, qtbot) -> None:

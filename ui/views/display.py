@@ -46,6 +46,7 @@ class Display(QObject):
         window.commands["full_screen"].toggled.connect(self._show_full_screen)
         window.layer_panel.look_changed.connect(self._on_look_changed)
         window.closing.connect(self._save)
+        solid_mode.mode_changed.connect(lambda _mode: self._show_scale())
 
     def views_ready(self) -> None:
         """The window has its views now."""
@@ -82,17 +83,27 @@ class Display(QObject):
 
     def show_appearance(self, appearance: Appearance) -> None:
         """Show everything so from now on."""
-        from ui.views.quantities import quantity_of
-
-        area = self._window.area
-        assert self._grid is not None and self.panel is not None and area.color_bar is not None
+        assert self._grid is not None and self.panel is not None
         self.panel.show_appearance(appearance)
         self._grid.show_appearance(appearance)
-        area.color_bar.show_scale(quantity_of(appearance), appearance.colors, appearance.steps, appearance.unit)
+        self._show_scale()
         self._window.layer_panel.show_looks(appearance.looks)
         self._presenter.redraw_soon()
         self.picks.show_appearance(appearance)
         self._remember.start()
+
+    def _show_scale(self) -> None:
+        """Colours and their scale; those of solids are of the deviation, whatever colours the flanks."""
+        from ui import colormap
+        from ui.views.quantities import DEVIATION, quantity_of
+
+        bar, grid = self._window.area.color_bar, self._grid
+        if bar is None or grid is None:
+            return
+        looks = grid.appearance
+        quantity = quantity_of(looks) if self._solid_mode.mode == "flanks" else DEVIATION
+        grid.store.set_colors(colormap.suited(looks.colors, quantity.symmetric), looks.steps)
+        bar.show_scale(quantity, looks.colors, looks.steps, looks.unit)
 
     def take_picture(self) -> None:
         """Ask what kind of picture, and take it."""
