@@ -12,6 +12,7 @@ class UprightScroll(QScrollArea):
     def __init__(self, page: QWidget, least: int = 0, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._least = least
+        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)  # it follows what has the keyboard in it
         self.setWidgetResizable(True)
         self.setFrameShape(QFrame.Shape.NoFrame)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)

@@ -12,6 +12,7 @@ from ui.actions import Actions
 from ui.analysis.area import COMPARISON, AnalysisArea
 from ui.comparison_table import ComparisonTable
 from ui.derived_panel import DerivedPanel
+from ui.keyboard import lay_way
 from ui.layer_panel import LayerPanel
 from ui.messages import MessageBar
 from ui.method_bar import MethodBar
@@ -214,6 +215,11 @@ class MainWindow(QMainWindow):
         if others:
             event.acceptProposedAction()
             QTimer.singleShot(0, lambda: self.others_dropped.emit(others))
+
+    def focusNextPrevChild(self, next_: bool) -> bool:
+        """Tab goes through the window as one reads it, whatever is in sight at the moment."""
+        lay_way(self)
+        return bool(super().focusNextPrevChild(next_))
 
     def closeEvent(self, event: QCloseEvent) -> None:
         if self._closed:

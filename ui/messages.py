@@ -145,6 +145,8 @@ class ReportDialog(QDialog):
         copy.setToolTip(tr("Copy all of the report"))
         buttons.button(QDialogButtonBox.StandardButton.Close).setToolTip(tr("Close the report"))
         copy.clicked.connect(lambda: QGuiApplication.clipboard().setText(self.report))
+        copy.setAutoDefault(False)
+        buttons.button(QDialogButtonBox.StandardButton.Close).setDefault(True)
         buttons.rejected.connect(self.reject)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(16, 16, 16, 12)

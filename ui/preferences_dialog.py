@@ -51,6 +51,7 @@ class PreferencesDialog(QDialog):
         self.tabs.addTab(self._work_page(), tr("Work"))
         self.tabs.addTab(KeysPage(keys), tr("Keys"))
         self.tabs.setAccessibleName(tr("Pages of the preferences"))
+        self.tabs.tabBar().setAccessibleName(tr("Pages of the preferences"))
         for number, tip in enumerate(
             (tr("Units, colours and language"), tr("Memory, graphics and recovery"), tr("Keys of all commands"))
         ):

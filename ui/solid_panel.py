@@ -170,6 +170,7 @@ class SolidPanel(QWidget):
         self.construction = QComboBox()
         self.construction.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
         self.construction.setMinimumContentsLength(10)
+        self.construction.setAccessibleName(tr("Construction"))
         self.construction.setToolTip(tr("Faces joined into one shell, or tooth spaces cut from the blank by Booleans"))
         for name, title in CONSTRUCTION_TITLES.items():
             self.construction.addItem(tr(title), name)

@@ -68,6 +68,13 @@ class ChartsPage(QWidget):
             self.quantities.setItemData(self.quantities.count() - 1, f"[{unit}]", Qt.ItemDataRole.ToolTipRole)
         self.against.addItem(tr("CAD surface"), False)
         self.against.addItem(tr("Less theory"), True)
+        for combo, name in (
+            (self.paths, tr("Series of points")),
+            (self.scale, tr("Scale")),
+            (self.quantities, tr("Curvature")),
+            (self.against, tr("Surface or difference")),
+        ):
+            combo.setAccessibleName(name)
         curves, maps = (self.paths, self.scale, self.paper), (self.quantities, self.against)
         self._own = {"points": curves, "histogram": curves[1:], "curvature": maps}
         self._own = {kind: (self.flanks, *own) for kind, own in self._own.items()}

@@ -126,6 +126,7 @@ class ContactPage(QWidget):
         scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         scroll.setWidget(left)
         scroll.setFixedWidth(WIDTH + 12)
+        scroll.setAccessibleName(tr("What the contact is computed for, and its numbers"))
         charts = QSplitter(Qt.Orientation.Horizontal)
         charts.addWidget(self.pattern_frame)
         charts.addWidget(self.error_frame)

@@ -31,6 +31,7 @@ class RangeEditor(QFrame):
         layout.setContentsMargins(10, 8, 10, 8)
         for label, field in zip(self._words, self._fields, strict=True):
             field.setFixedWidth(90)
+            field.setAccessibleName(tr("End of the scale"))
             field.returnPressed.connect(self._on_return)
             layout.addRow(label, field)
 

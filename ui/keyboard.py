@@ -1,0 +1,61 @@
+"""The way that Tab takes through the window: as one reads it, wherever its parts were made."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from itertools import pairwise
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QDockWidget, QTabBar, QWidget
+
+from ui.words import tr
+
+if TYPE_CHECKING:
+    from ui.main_window import MainWindow
+
+
+def stops(part: QWidget) -> list[QWidget]:
+    """What may take the keyboard in a part of a window as it is in sight now, row by row and from left to right."""
+    return [one for one in _read(part) if one.focusPolicy() != Qt.FocusPolicy.NoFocus and one.focusProxy() is None]
+
+
+def tab_in_order(parts: Iterable[QWidget]) -> None:
+    """Let Tab go through parts of a window one after the other; one that holds another comes for the rest of it."""
+    way = list(dict.fromkeys(one for part in parts if part.isVisible() for one in stops(part)))
+    for before, after in pairwise(way):
+        QWidget.setTabOrder(before, after)
+
+
+def lay_way(window: MainWindow) -> None:
+    """Toolbar, panels on the left, views, panels on the right, analysis, status; for what is in sight now."""
+    area = window.area
+    below = [bar for bar in (area.roll_slider, area.mesh_bar) if bar is not None]
+    bars = window.findChildren(QTabBar, options=Qt.FindChildOption.FindDirectChildrenOnly)
+    for bar in bars:  # of panels that lie on one another; some are left over and nowhere
+        bar.setFocusPolicy(Qt.FocusPolicy.TabFocus if bar.count() > 1 else Qt.FocusPolicy.NoFocus)
+        bar.setAccessibleName(tr("Panels that share a place"))
+    beside = [one for one in stops(area) if not any(one is bar or bar.isAncestorOf(one) for bar in below)]
+    docks = [dock for dock in window.findChildren(QDockWidget) if not dock.isAncestorOf(window.analysis)]
+    left, right = (window.form, window.derived), (window.layer_panel, window.solid_panel)
+    analysis = (window.analysis.bar, window.analysis)
+    tab_in_order((window.method_bar, *left, *beside, *below, *right, *analysis, *docks, *bars, window.status))
+
+
+def _read(part: QWidget) -> Iterator[QWidget]:
+    yield part
+    children = [child for child in part.children() if isinstance(child, QWidget)]
+    for row in _rows([child for child in children if child.isVisible() and not child.isWindow()]):
+        for child in row:
+            yield from _read(child)
+
+
+def _rows(widgets: list[QWidget]) -> Iterator[list[QWidget]]:
+    """Widgets beside one another, from the left; a row ends where the next one begins below its first one's middle."""
+    row: list[QWidget] = []
+    for widget in sorted(widgets, key=lambda one: (one.y(), one.x())):
+        if row and widget.y() >= row[0].geometry().center().y():
+            yield sorted(row, key=lambda one: one.x())
+            row = []
+        row.append(widget)
+    yield sorted(row, key=lambda one: one.x())
