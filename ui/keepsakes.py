@@ -163,7 +163,7 @@ def _dialog(dialog: QDialog) -> tuple[type[QDialog], Any] | None:
         return PreferencesDialog, dialog.tabs.currentIndex()
     if isinstance(dialog, GuideWindow):
         return GuideWindow, dialog.pages.currentData()
-    return (EquationBrowser, "") if isinstance(dialog, EquationBrowser) else None
+    return (EquationBrowser, dialog.key) if isinstance(dialog, EquationBrowser) else None
 
 
 def _open(studio: Studio, kind: type[QDialog], state: Any) -> None:

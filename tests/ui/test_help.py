@@ -72,6 +72,17 @@ def test_every_page_is_there_in_every_language_with_its_headings_and_pictures(qt
     assert isinstance(loaded, QImage) and not loaded.isNull()
 
 
+@pytest.mark.parametrize("width", [800, 1200])
+def test_pages_fit_the_width_of_the_window(qtbot: QtBot, language: str, width: int) -> None:
+    guide = GuideWindow()
+    qtbot.addWidget(guide)
+    guide.resize(width, 640)
+    guide.show()
+    qtbot.waitUntil(lambda: guide.view._fitted == max(guide.view.viewport().width() - 60, 200))
+    assert guide.view.horizontalScrollBar().maximum() == 0
+    guide.close()
+
+
 def test_the_contents_lead_to_the_headings(qtbot: QtBot, language: str) -> None:
     guide = GuideWindow()
     qtbot.addWidget(guide)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from html import escape
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QByteArray, QSize, Qt, Signal
+from PySide6.QtCore import QByteArray, QEvent, QSize, Qt, Signal
 from PySide6.QtGui import QBrush, QColor, QPainter, QPaintEvent
 from PySide6.QtSvg import QSvgRenderer
 from PySide6.QtWidgets import (
@@ -127,6 +127,13 @@ class EquationBrowser(QDialog):
 
         self._setter.request(one.key, work)
 
+    @property
+    def key(self) -> str:
+        """Key of the equation in sight; empty without one."""
+        item = self.list.currentItem()
+        one: Equation | None = item.data(0, _KEY) if item is not None else None
+        return one.key if one is not None else ""
+
     def show_units(self) -> None:
         """Show the numbers in the unit that the user chose now."""
         self.show_chosen()
@@ -135,6 +142,13 @@ class EquationBrowser(QDialog):
         """Set the lines anew for the width there is."""
         super().resizeEvent(event)  # type: ignore[arg-type]
         self.show_chosen()
+
+    def changeEvent(self, event: QEvent) -> None:
+        """Take the colours of the theme in use."""
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.PaletteChange and self.isVisible():
+            self._mark()
+            self.show_chosen()
 
     def _lay_out(self) -> None:
         left = QWidget()

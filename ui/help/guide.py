@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
-from PySide6.QtCore import Qt, QUrl
-from PySide6.QtGui import QColor, QDesktopServices, QImage, QTextCursor, QTextDocument
+from PySide6.QtCore import QEvent, QPoint, Qt, QTimer, QUrl
+from PySide6.QtGui import QColor, QDesktopServices, QImage, QResizeEvent, QTextCursor, QTextDocument
 from PySide6.QtWidgets import (
     QComboBox,
     QDialog,
@@ -20,6 +21,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from ui.analysis.background import Newest
 from ui.help.pages_of import PAGES, page_path, slug
 from ui.help.reading import set_page
 from ui.theme import tokens
@@ -27,6 +29,8 @@ from ui.words import tr
 
 _SIZE = (940, 640)
 _MARGIN = 60
+_USUAL_WIDTH, _LEAST_WIDTH = 620, 200
+_PAUSE_MS = 120
 
 
 class PageView(QTextBrowser):
@@ -35,6 +39,12 @@ class PageView(QTextBrowser):
     def __init__(self) -> None:
         super().__init__()
         self._page = page_path(PAGES[0][0])
+        self._pictures: list[str] = []
+        self._fitted = _USUAL_WIDTH
+        self._scaler = Newest("pictures", self)
+        self._scaler.done.connect(self._take_pictures)
+        self._pause = QTimer(self, singleShot=True, interval=_PAUSE_MS)
+        self._pause.timeout.connect(self._fit)
         self.setOpenLinks(False)
         self.document().setDocumentMargin(18)
 
@@ -42,6 +52,7 @@ class PageView(QTextBrowser):
         """Show a page by its key."""
         self._page = page_path(page)
         text = self._page.read_text(encoding="utf-8")
+        self._pictures = re.findall(r"!\[[^\]]*\]\(([^)]+)\)", text)
         self.document().setMarkdown(text, QTextDocument.MarkdownFeature.MarkdownDialectGitHub)
         set_page(self.document(), QColor(tokens().border_strong))
         self.moveCursor(QTextCursor.MoveOperation.Start)
@@ -51,15 +62,45 @@ class PageView(QTextBrowser):
         """Go to the next place with the words looked for, from the cursor on."""
         return bool(words) and self.find(words)
 
+    def close_page(self) -> None:
+        """End what runs in the background."""
+        self._pause.stop()
+        self._scaler.close()
+
     def loadResource(self, kind: int, name: QUrl | str) -> object:
         """Pictures shrink to the width there is."""
         url = QUrl(name)
         if kind == QTextDocument.ResourceType.ImageResource.value:
-            image = QImage(str(self._page.parent / url.toString()))
-            width = max(self.viewport().width() - _MARGIN, 200)
-            smooth = Qt.TransformationMode.SmoothTransformation
-            return image.scaledToWidth(width, smooth) if image.width() > width else image
+            return scaled(self._page.parent / url.toString(), self._fitted)
         return super().loadResource(kind, url)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Pictures get another size when that of the view has settled."""
+        super().resizeEvent(event)
+        self._pause.start()
+
+    def _fit(self) -> None:
+        """Have the pictures scaled to the width there is."""
+        width, folder, names = max(self.viewport().width() - _MARGIN, _LEAST_WIDTH), self._page.parent, self._pictures
+        if width != self._fitted:
+            self._scaler.request(str(width), lambda: (width, {name: scaled(folder / name, width) for name in names}))
+
+    def _take_pictures(self, _width: str, made: tuple[int, dict[str, QImage]]) -> None:
+        """Show scaled pictures; what stood at the top stays there."""
+        self._fitted, pictures = made
+        document, top = self.document(), self.cursorForPosition(QPoint(0, 0))
+        for name, picture in pictures.items():
+            document.addResource(QTextDocument.ResourceType.ImageResource.value, QUrl(name), picture)
+        document.markContentsDirty(0, document.characterCount())
+        self.verticalScrollBar().setValue(self.verticalScrollBar().value() + self.cursorRect(top).top())
+
+
+def scaled(path: Path, width: int) -> QImage:
+    """A picture no wider than so many pixels."""
+    picture = QImage(str(path))
+    if picture.width() <= width:
+        return picture
+    return picture.scaledToWidth(width, Qt.TransformationMode.SmoothTransformation)
 
 
 class GuideWindow(QDialog):
@@ -100,7 +141,16 @@ class GuideWindow(QDialog):
         self._blocks: list[int] = []
         self._lay_out()
         self.pages.currentIndexChanged.connect(lambda _: self._load())
+        self.finished.connect(self.view.close_page)
         self.show_page(page)
+
+    def changeEvent(self, event: QEvent) -> None:
+        """Take the colours of the theme in use."""
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.PaletteChange and self.isVisible():
+            place = self.view.verticalScrollBar().value()
+            self._load()
+            self.view.verticalScrollBar().setValue(place)
 
     def show_page(self, page: str) -> None:
         """Show a page by its key."""

@@ -16,6 +16,7 @@ from PySide6.QtGui import (
 
 _ABOVE = {1: 4.0, 2: 22.0, 3: 14.0}
 _BELOW, _AROUND, _PADDING = 7.0, 9.0, 5.0
+_ROUNDING = 2.0
 _LINE_PERCENT = 128
 _PICTURE = "\ufffc"
 _IDEOGRAPHS = range(0x3000, 0xA000)
@@ -33,7 +34,9 @@ def set_page(document: QTextDocument, line: QColor) -> None:
         if level:
             look.setTopMargin(_ABOVE.get(level, _ABOVE[3]))
             look.setBottomMargin(_BELOW)
-        elif not block.blockFormat().nonBreakableLines() and _PICTURE not in block.text():
+        elif block.blockFormat().nonBreakableLines():
+            look.setNonBreakableLines(False)
+        elif _PICTURE not in block.text():
             look.setLineHeight(_LINE_PERCENT, QTextBlockFormat.LineHeightTypes.ProportionalHeight.value)
         cursor.setPosition(block.position())
         cursor.mergeBlockFormat(look)
@@ -47,6 +50,7 @@ def _set_table(table: QTextTable, line: QColor) -> None:
     look.setCellSpacing(0)
     look.setBorderCollapse(True)
     look.setBorderBrush(QBrush(line))
+    look.setRightMargin(_ROUNDING)
     look.setTopMargin(_AROUND)
     look.setBottomMargin(_AROUND)
     table.setFormat(look)
