@@ -109,9 +109,11 @@ class PaneTitle(QLabel):
 def fitted(text: str, metrics: QFontMetricsF, room: float, breaks: bool = False) -> tuple[str, ...]:
     """Of a text's parts, which dots join, as many as fit in a line; the first matter most.
 
-    With ``breaks`` the others have a line each.
+    A factor may lose its words. With ``breaks`` the parts that do not fit have a line each.
     """
     parts = text.split(DOT)
+    if metrics.horizontalAdvance(text) > room:
+        parts = [part[max(part.find(TIMES), 0) :] for part in parts]
     shown = len(parts)
     while shown > 1 and metrics.horizontalAdvance(DOT.join(parts[:shown])) > room:
         shown -= 1

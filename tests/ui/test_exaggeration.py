@@ -117,8 +117,10 @@ def test_titles_leave_out_what_matters_least(qtbot) -> None:
     metrics = QFontMetricsF(QFont())
     words = "max 46.7 µm · deviation ×100 · mean 7.95 µm"
     assert fitted(words, metrics, 1e4) == (words,)
-    two = metrics.horizontalAdvance("max 46.7 µm · deviation ×100") + 1
-    assert fitted(words, metrics, two) == ("max 46.7 µm · deviation ×100",)
+    three = metrics.horizontalAdvance("max 46.7 µm · ×100 · mean 7.95 µm") + 1
+    assert fitted(words, metrics, three) == ("max 46.7 µm · ×100 · mean 7.95 µm",)
+    two = metrics.horizontalAdvance("max 46.7 µm · ×100") + 1
+    assert fitted(words, metrics, two) == ("max 46.7 µm · ×100",)
     one = metrics.horizontalAdvance("max 46.7 µm") + 1
     assert fitted(words, metrics, one) == ("max 46.7 µm",)
     assert fitted(words, metrics, one / 2)[0].endswith("…")
