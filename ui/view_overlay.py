@@ -21,6 +21,7 @@ LEAST_TITLE = 90
 """Narrower panes have no title [pixels]."""
 DOT = " · "
 """Between the parts of a title."""
+TIMES = "\N{MULTIPLICATION SIGN}"
 _PLATE = 14
 """Padding, border and margin at the sides of a title."""
 
