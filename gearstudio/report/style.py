@@ -53,7 +53,7 @@ _LOOK: dict[str, Any] = {
 }
 _BAR, _BAR_GAP, _BAR_TEXT = 0.08, 0.05, 0.33
 _SHADES = 48
-_RIGHT, _TOP, _BOTTOM = 0.06, 0.2, 0.37
+_RIGHT, _RIGHT_OF_TICKS, _TOP, _BOTTOM = 0.06, 0.16, 0.2, 0.37
 
 
 @dataclass(frozen=True)
@@ -92,7 +92,8 @@ def figure(frame: Frame) -> Iterator[tuple[Figure, Any]]:
     from matplotlib.figure import Figure
 
     side = _BAR + _BAR_GAP + _BAR_TEXT if frame.bars != "none" else 0.0
-    wide = (TEXT_WIDTH - frame.left - _RIGHT - side) / frame.columns
+    right = _RIGHT + side if side else _RIGHT_OF_TICKS
+    wide = (TEXT_WIDTH - frame.left - right) / frame.columns
     gap = (side if frame.bars == "each" else 0.0) + (0.38 if frame.own_y else 0.3 if frame.own_x else 0.14)
     high = (frame.height - _TOP - _BOTTOM - frame.foot) / frame.rows
     fall = 0.42 if frame.own_x else 0.24
@@ -103,7 +104,7 @@ def figure(frame: Frame) -> Iterator[tuple[Figure, Any]]:
         axes = drawn.subplots(
             frame.rows, frame.columns, squeeze=False, sharex=not frame.own_x, sharey=not frame.own_y,
             gridspec_kw={
-                "left": frame.left / TEXT_WIDTH, "right": 1 - (_RIGHT + side) / TEXT_WIDTH,
+                "left": frame.left / TEXT_WIDTH, "right": 1 - right / TEXT_WIDTH,
                 "top": 1 - _TOP / frame.height, "bottom": (_BOTTOM + frame.foot) / frame.height,
                 "wspace": gap / width, "hspace": fall / length,
             },
