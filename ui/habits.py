@@ -5,12 +5,13 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, QPoint, Qt
-from PySide6.QtWidgets import QAbstractItemView, QApplication, QLabel, QLineEdit, QPlainTextEdit, QWhatsThis, QWidget
+from PySide6.QtWidgets import QAbstractItemView, QApplication, QLineEdit, QPlainTextEdit, QWhatsThis, QWidget
 
 from gearstudio.design import all_field_specs, field_specs
 from ui import tables, units
 from ui.actions import check
 from ui.applicability import derived_hints
+from ui.help.clicked import said
 from ui.keys import Keys
 from ui.modification_table import MODIFICATIONS
 from ui.palette import Offer, Palette, keys_text
@@ -141,7 +142,7 @@ class Habits(QObject):
             self.explain(path)
             return
         focused = QApplication.focusWidget()
-        text = _said(focused)
+        text = said(focused)
         if focused is not None and text:
             QWhatsThis.showText(focused.mapToGlobal(focused.rect().bottomLeft()), text, focused)
         else:
@@ -170,12 +171,3 @@ class Habits(QObject):
         self._controller.blanks.refresh()
         if session.pair is not None:
             self._window.form.set_hints(derived_hints(session.design, session.pair))
-
-
-def _said(widget: QWidget | None) -> str:
-    """What a widget, or what it stands in, says of itself."""
-    while widget is not None and not isinstance(widget, QLabel):
-        if widget.whatsThis() or widget.toolTip():
-            return widget.whatsThis() or widget.toolTip()
-        widget = widget.parentWidget()
-    return ""

@@ -8,7 +8,7 @@ import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QAction, QWhatsThisClickedEvent
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QWidget
+from PySide6.QtWidgets import QApplication, QWhatsThis, QWidget
 from pytestqt.qtbot import QtBot
 
 from gearstudio.design import all_field_specs
@@ -71,14 +71,28 @@ def test_the_key_opens_the_equation_of_the_field_with_the_cursor(bench: Bench, q
     assert shown(bench) == "pitch_cones"
 
 
+def popup() -> QWidget | None:
+    """The box with an explanation."""
+    visible = (widget for widget in QApplication.topLevelWidgets() if widget.isVisible())
+    return next((widget for widget in visible if widget.metaObject().className() == "QWhatsThat"), None)
+
+
+def test_what_is_clicked_is_explained(bench: Bench, qtbot: QtBot) -> None:
+    Habits(bench.controller)
+    row = bench.window.form.rows["pair.wheel_teeth"]
+    derived = bench.window.derived.view
+    for widget, place in ((row, row._label.geometry().center()), (derived.viewport(), QPoint(20, 20))):
+        QWhatsThis.enterWhatsThisMode()
+        QTest.mouseClick(widget, Qt.MouseButton.LeftButton, pos=place)
+        qtbot.waitUntil(lambda: popup() is not None)
+        QWhatsThis.hideText()
+        qtbot.waitUntil(lambda: popup() is None)
+        assert not QWhatsThis.inWhatsThisMode()
+
+
 def test_a_click_on_the_link_of_an_explanation_opens_the_equation(bench: Bench, qtbot: QtBot) -> None:
     habits = Habits(bench.controller)
     habits.explain("tooth.fillet_factor")
-
-    def popup() -> QWidget | None:
-        shown = (widget for widget in QApplication.topLevelWidgets() if widget.isVisible())
-        return next((widget for widget in shown if widget.metaObject().className() == "QWhatsThat"), None)
-
     qtbot.waitUntil(lambda: popup() is not None)
     widget = popup()
     assert widget is not None

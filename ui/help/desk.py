@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QDialog, QDockWidget
 
+from ui.help.clicked import Clicked
 from ui.help.equations import EquationBrowser
 from ui.help.guide import GuideWindow
 from ui.help.tour import Tour
@@ -26,6 +27,7 @@ class HelpDesk(QObject):
         self._guide: GuideWindow | None = None
         self._equations: EquationBrowser | None = None
         self.tour = Tour(window)
+        self.clicked = Clicked(window)
         self.ways = Ways(session, window)
         self.ways.equation_asked.connect(self.open_equations)
         self.ways.term_asked.connect(self.open_term)
