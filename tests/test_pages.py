@@ -30,6 +30,11 @@ def emphasised(page: str) -> list[str]:
     return EMPHASIS.findall(without_code(page))
 
 
+def digits(page: str) -> Counter[str]:
+    """The numbers outside code, with decimal points."""
+    return Counter(re.findall(r"\d+(?:\.\d+)?", re.sub(r"(?<=\d),(?=\d)", ".", without_code(page))))
+
+
 def tables(page: str) -> list[list[list[str]]]:
     """The tables of a page: rows of cells; the second row parts the head from the body."""
     found = re.findall(r"(?:^\|.*\|\n?)+", page, flags=re.MULTILINE)
@@ -72,11 +77,9 @@ def test_code_keys_and_numbers_are_the_same(language: str) -> None:
         if "F2" in str(first) or "Ctrl" in str(first):
             keys = [re.sub(r"Strg|Umschalt", lambda key: KEYS[key.group()], row[0]) for row in second[2:]]
             assert keys == [row[0] for row in first[2:]]
-    digits = [
-        Counter(re.findall(r"\d+(?:\.\d+)?", re.sub(r"(?<=\d),(?=\d)", ".", without_code(one))))
-        for one in (english, other)
-    ]
-    assert digits[0] == digits[1]
+        for row, translated in zip(first, second, strict=True):
+            assert digits(" ".join(row)) == digits(" ".join(translated)), translated
+    assert digits(english) == digits(other)
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
