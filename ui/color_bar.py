@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 
-import numpy as np
 from PySide6.QtCore import QPoint, QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import (
     QAction,
@@ -12,7 +11,6 @@ from PySide6.QtGui import (
     QContextMenuEvent,
     QFont,
     QFontMetricsF,
-    QImage,
     QMouseEvent,
     QPainter,
     QPaintEvent,
@@ -25,10 +23,11 @@ from ui import colormap
 from ui.views.factors import factor_text
 from ui.views.quantities import DEVIATION, Quantity
 from ui.views.range_editor import RangeEditor
+from ui.views.scale_parts import POINT, paint_ends, paint_marker, picture
 from ui.words import tr
 
 BAR_WIDTH = 16
-_TICK, _GAP, _PAD, _POINT = 4, 5, 8, 9
+_TICK, _GAP, _PAD = 4, 5, 8
 
 
 class ColorBar(QWidget):
@@ -53,7 +52,7 @@ class ColorBar(QWidget):
         self._marker: float | None = None
         self._factor = 1
         self._drag: tuple[float, tuple[float, float], bool] | None = None
-        self._image = _picture("balance", 0)
+        self._image = picture("balance", 0)
 
         self.setObjectName("color_bar")
         self.setAccessibleName(tr("Colour scale"))
@@ -94,7 +93,7 @@ class ColorBar(QWidget):
 
     def show_scale(self, quantity: Quantity, colors: str, steps: int, unit: str) -> None:
         """Be the scale of a quantity in some colours; another quantity begins with its own range."""
-        self._image, self._unit = _picture(colormap.suited(colors, quantity.symmetric), steps), unit
+        self._image, self._unit = picture(colormap.suited(colors, quantity.symmetric), steps), unit
         if quantity != self._quantity:
             self._quantity = quantity
             self.set_automatic(True)
@@ -210,9 +209,9 @@ class ColorBar(QWidget):
 
     def _bar(self) -> QRectF:
         line = QFontMetricsF(self.font()).height()
-        top = (1.9 if self._factor == 1 else 3.0) * line + _POINT
+        top = (1.9 if self._factor == 1 else 3.0) * line + POINT
         below = self._auto.geometry().top() if not self._auto.isHidden() else self.height() - line
-        bottom = below - 0.9 * line - _POINT / 2
+        bottom = below - 0.9 * line - POINT / 2
         return QRectF(_PAD, top, BAR_WIDTH, max(bottom - top, 20.0))
 
     def paintEvent(self, event: QPaintEvent) -> None:
@@ -224,7 +223,7 @@ class ColorBar(QWidget):
             painter.drawImage(bar, self._image, QRectF(0, 0.5, 1, self._image.height() - 1))
             painter.setPen(QPen(line, 1))
             painter.drawRect(bar.adjusted(-0.5, -0.5, 0.5, 0.5))
-            self._paint_ends(painter, bar)
+            paint_ends(painter, bar, self._image, self._beyond())
             painter.setFont(self._small_font())
             painter.setPen(text)
             painter.drawText(
@@ -234,25 +233,16 @@ class ColorBar(QWidget):
             )
             self._paint_ticks(painter, bar, text, line)
             if self._marker is not None:
-                self._paint_marker(painter, bar, text)
+                paint_marker(painter, bar, self._y(bar, self._marker), text)
 
     def _y(self, bar: QRectF, value: float) -> float:
         low, high = self._range
         return bar.bottom() - min(max((value - low) / (high - low), 0.0), 1.0) * bar.height()
 
-    def _paint_ends(self, painter: QPainter, bar: QRectF) -> None:
-        """A point beyond each end that does not show all there is."""
-        painter.setPen(Qt.PenStyle.NoPen)
+    def _beyond(self) -> tuple[bool, bool]:
+        """Whether there are values above the upper end, and below the lower one."""
         play = 1e-6 * (self._range[1] - self._range[0])
-        height = self._image.height()
-        for beyond, y, tip, row in (
-            (self._extent[1] > self._range[1] + play, bar.top(), -_POINT, 0),
-            (self._extent[0] < self._range[0] - play, bar.bottom(), _POINT, height - 1),
-        ):
-            if beyond:
-                painter.setBrush(self._image.pixelColor(0, row))
-                corners = [QPointF(bar.left(), y), QPointF(bar.right(), y), QPointF(bar.center().x(), y + tip)]
-                painter.drawPolygon(corners)
+        return self._extent[1] > self._range[1] + play, self._extent[0] < self._range[0] - play
 
     def _paint_ticks(self, painter: QPainter, bar: QRectF, text: QColor, line: QColor) -> None:
         metrics = QFontMetricsF(painter.font())
@@ -263,16 +253,6 @@ class ColorBar(QWidget):
             painter.setPen(text)
             box = QRectF(bar.right() + _TICK + _GAP, y - metrics.height() / 2, self.width(), metrics.height())
             painter.drawText(box, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter, label)
-
-    def _paint_marker(self, painter: QPainter, bar: QRectF, color: QColor) -> None:
-        y = self._y(bar, self._marker or 0.0)
-        painter.setPen(QPen(color, 1.5))
-        painter.drawLine(QPointF(bar.left() - 3, y), QPointF(bar.right() + 3, y))
-        painter.setPen(Qt.PenStyle.NoPen)
-        painter.setBrush(color)
-        painter.drawPolygon(
-            [QPointF(bar.left() - 2, y), QPointF(bar.left() - 7, y - 4), QPointF(bar.left() - 7, y + 4)]
-        )
 
     # ---- adjusting -----------------------------------------------------------------------------------
 
@@ -327,9 +307,3 @@ class ColorBar(QWidget):
                 menu.addAction(f"±{text}", lambda value=limit: self.set_limit(value))
         menu.exec(event.globalPos())
         menu.deleteLater()
-
-
-def _picture(colors: str, steps: int) -> QImage:
-    """A column of the colours, the highest above."""
-    rgb = np.ascontiguousarray(colormap.table(colors, steps)[::-1, None, :])
-    return QImage(rgb.data, 1, len(rgb), 3, QImage.Format.Format_RGB888).copy()

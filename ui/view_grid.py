@@ -97,6 +97,7 @@ class ViewGrid(QWidget):
         self.pointing.clear()
         self._refresh()
         self._follow(forced=count == 0)
+        self.pointing.follow_layers()
         self.follow_cameras()
         self.place_overlays()
 

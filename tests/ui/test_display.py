@@ -6,6 +6,7 @@ import os
 import sys
 from dataclasses import replace
 
+import numpy as np
 import pytest
 from PySide6.QtCore import QEvent, QPointF, QSettings, Qt
 from PySide6.QtGui import QKeyEvent, QWheelEvent
@@ -122,6 +123,18 @@ class TestPicking:
         QApplication.sendEvent(grid.viewport, escape)
         assert not card.isVisible() and grid.pointing.pin is None
         assert not any(pin.isVisible() for pin in grid.overlays.pins)
+
+    def test_the_marker_goes_along_when_deviations_are_drawn_larger(self, bench, qtbot):
+        grid = grid_of(bench)
+        QTest.mouseClick(grid.viewport, Qt.MouseButton.LeftButton, pos=flank_place(grid, 1).toPoint())
+        pin, before = grid.pointing.pin, np.array(grid.pointing.pin_place)
+        assert np.allclose(before, pin.xyz)
+        show(qtbot, bench, exaggeration=50)
+        assert grid.panels[1].subtitle.split(" · ")[1] == "deviation ×50"
+        moved = np.array(grid.pointing.pin_place) - before
+        assert np.linalg.norm(moved) == pytest.approx(49 * 0.030, rel=1e-3) and grid.pointing.pin is pin
+        show(qtbot, bench, exaggeration=1)
+        assert np.allclose(grid.pointing.pin_place, before)
 
     def test_a_point_goes_with_its_member_alone(self, bench, qtbot):
         grid, session = grid_of(bench), bench.session

@@ -98,6 +98,19 @@ class Pointing(QObject):
             self.pin_place = _xyz(place)
             self._grid.place_markers()
 
+    def follow_layers(self) -> None:
+        """The flanks may be drawn elsewhere now: the marker goes along with the point it was put on."""
+        pin = self.pin
+        if pin is None or pin.member:
+            return
+        drawn = [x for panel in self._grid.panels if panel.key == pin.panel_key for x in panel.layers]
+        layer = next((x for x in drawn if x.key == f"deviation/{pin.flank}"), None)
+        place = np.array(pin.xyz)
+        if layer is not None and layer.true_points is not None:
+            nearest = int(np.argmin(np.sum((layer.true_points - place) ** 2, axis=1)))
+            place = place + layer.points[nearest] - layer.true_points[nearest]
+        self.carry_pin(place)
+
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """Escape takes the marker away before it means anything else; a shortened title is told in full."""
         if event.type() == QEvent.Type.ToolTip and isinstance(event, QHelpEvent):
