@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QMainWindow, QMenu, QToolBar
 
 from gearstudio.catalogue import MEMBERS, METHOD_IDS, VARIANTS
 from ui.formatting import MEMBER_TITLES, METHOD_TITLES, VARIANT_TITLES
+from ui.mnemonics import separate
 from ui.session import ALL
 from ui.theme import icon
 from ui.words import noted, tr
@@ -133,6 +134,8 @@ class Actions(QObject):
         self.recent = QMenu(tr("Open &recent"), window)
         self.layers = QMenu(tr("&Layers"), window)
         self._build_menus(window)
+        for menu in (window.menuBar(), *window.findChildren(QMenu)):
+            separate(menu.actions())
         window.addActions(list(self.by_name.values()))
         for group in (self.members, self.methods, self.variants, self.views, self.modes):
             window.addActions(group.actions())

@@ -157,6 +157,7 @@ class EquationBrowser(QDialog):
         column.addWidget(self.search)
         column.addWidget(self.list, 1)
         self._area = QScrollArea()
+        self._area.setAccessibleName(tr("The equation"))
         self._area.setWidget(self.sheet)
         self._area.setFrameShape(QFrame.Shape.StyledPanel)
         right = QWidget()

@@ -24,6 +24,7 @@ from PySide6.QtWidgets import (
 from gearstudio.catalogue import MEMBERS
 from gearstudio.report.sections import SECTION_KEYS, SECTIONS
 from ui.language import spoken
+from ui.mnemonics import separate
 from ui.preferences import LANGUAGES
 from ui.reporting.pages_view import PagesView
 from ui.words import told, tr
@@ -93,6 +94,7 @@ class ReportDialog(QDialog):
         self.save.setEnabled(False)
         self.save.setToolTip(tr("Save the report"))
         self.buttons.button(QDialogButtonBox.StandardButton.Close).setToolTip(tr("Close the report"))
+        separate((self.save, self.make, self.stop))
         self.make.clicked.connect(self._make)
         self.stop.clicked.connect(self.cancelled)
         self.save.clicked.connect(self._save)
