@@ -43,17 +43,19 @@ class Drawable(Protocol):
 
 
 class _Hint(QLabel):
-    """A line that ends in an ellipsis where there is no room for all of it; left out where there is hardly any."""
+    """Words in a line, or in two; they end in an ellipsis where that is too little, and are left out where hardly
+    any of them can be shown."""
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        least = self.fontMetrics().averageCharWidth() * LEAST_LETTERS
-        if self.width() < least:
+        metrics, text = self.fontMetrics(), self.text()
+        if self.width() < metrics.averageCharWidth() * LEAST_LETTERS:
             return
-        text = self.fontMetrics().elidedText(self.text(), Qt.TextElideMode.ElideRight, self.width())
+        flags = Qt.AlignmentFlag.AlignVCenter | Qt.TextFlag.TextWordWrap
+        wrapped = metrics.boundingRect(self.rect(), flags, text)
+        if wrapped.height() > self.height() or wrapped.width() > self.width():
+            text = metrics.elidedText(text, Qt.TextElideMode.ElideRight, self.width())
         with QPainter(self) as painter:
-            self.style().drawItemText(
-                painter, self.rect(), Qt.AlignmentFlag.AlignVCenter, self.palette(), True, text, self.foregroundRole()
-            )
+            self.style().drawItemText(painter, self.rect(), flags, self.palette(), True, text, self.foregroundRole())
 
 
 class ChartFrame(QWidget):
