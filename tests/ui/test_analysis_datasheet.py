@@ -85,3 +85,18 @@ def test_published_values_are_shown_with_a_verdict(page) -> None:
     assert ["largest", "71.3", "–", "µm", "not computable"] in rows
     assert "agree" in page.published.summary.text()
     assert "\tpass" in page.text("csv") or "✓ pass" in page.text("csv")
+
+
+@pytest.mark.parametrize(
+    ("equation", "words"),
+    [
+        ("2 [7]", "Theory, section 2; equation 7 of the paper"),
+        ("5.1", "Theory, section 5.1"),
+        ("ISO 23509", "ISO 23509"),
+        ("hypoid", "Offset axes"),
+    ],
+)
+def test_a_formula_says_where_it_stands(equation: str, words: str) -> None:
+    from ui.analysis.explanation import where
+
+    assert where(equation) == words

@@ -90,10 +90,10 @@ def explanation(line: tuple[Quantity, ...]) -> str:
 
 
 def where(equation: str) -> str:
-    """``2 [7]`` in words: the section of the theory and the paper's equation."""
-    match = re.fullmatch(r"(\S+)(?:\s*\[(.+)\])?", equation)
+    """``2 [7]`` in words: the section of the theory and the paper's equation; standards by their name."""
+    match = re.fullmatch(r"(\d\S*)(?:\s*\[(.+)\])?", equation)
     if match is None:
-        return tr("Theory {equation}", equation=escape(equation))
+        return tr("Offset axes") if equation == "hypoid" else escape(equation)
     section, printed = match.groups()
     words = tr("Theory, section {section}", section=section)
     return words + tr("; equation {printed} of the paper", printed=printed) if printed else words
