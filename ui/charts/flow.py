@@ -43,7 +43,8 @@ class FlowRow(QLayout):
 
     def setGeometry(self, rect: QRect) -> None:
         super().setGeometry(rect)
-        self._place(rect, move=True)
+        beyond = max(rect.height() - self.heightForWidth(rect.width()), 0)
+        self._place(rect.adjusted(0, beyond // 2, 0, 0), move=True)
 
     def sizeHint(self) -> QSize:
         """All in one line."""
