@@ -14,7 +14,7 @@ ENGLISH = "en"
 LANGUAGES = (ENGLISH, "de", "zh")
 _HOLE = re.compile(r"\{(\d+)\}")
 _LETTER = re.compile(r"[A-Za-z]{2}")
-_DEEPEST = 8
+_DEEPEST, _FEW = 8, 6
 Said = Callable[[str], str]
 """From an English text to what is said instead; the text itself where nothing is known."""
 
@@ -95,9 +95,11 @@ class Speaker:
 
 
 def compiled(text: str) -> Template:
-    """The template of a text; its holes are numbered from 0 in their order."""
+    """The template of a text; its holes are numbered from 0 in their order. So few words as in ``"{0} to {1}"`` stand
+    between numbers alone, or they would be found in any sentence."""
     parts = _HOLE.split(text)[::2]
-    return Template(text, parts[0], re.compile("(.*?)".join(map(re.escape, parts))))
+    hole = "(.*?)" if parts[0] or len("".join(parts)) > _FEW else "([^A-Za-z]*?)"
+    return Template(text, parts[0], re.compile(hole.join(map(re.escape, parts))))
 
 
 def in_order(texts: Iterable[str]) -> tuple[Template, ...]:
