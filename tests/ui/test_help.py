@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 from PySide6.QtCore import QObject, QRect, QSettings, Qt, QTranslator, QUrl
-from PySide6.QtGui import QImage, QTextDocument
+from PySide6.QtGui import QImage, QTextCharFormat, QTextDocument
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
@@ -80,7 +80,19 @@ def test_pages_fit_the_width_of_the_window(qtbot: QtBot, language: str, width: i
     guide.show()
     qtbot.waitUntil(lambda: guide.view._fitted == max(guide.view.viewport().width() - 60, 200))
     assert guide.view.horizontalScrollBar().maximum() == 0
+    assert guide.view.verticalScrollBar().value() == 0
     guide.close()
+
+
+def test_indices_stand_below_the_line_and_code_stays(qtbot: QtBot, language: str) -> None:
+    guide = GuideWindow(page="glossary")
+    qtbot.addWidget(guide)
+    text = guide.view.toPlainText()
+    assert "δb" in text and "εα" in text and not re.search("[A-Zα-ω]_[a-zα-ω]", text)
+    cursor = guide.view.document().find("δb")
+    assert cursor.charFormat().verticalAlignment() == QTextCharFormat.VerticalAlignment.AlignSubScript
+    guide.show_page("guide")
+    assert "spiral_angle_deg" in guide.view.toPlainText() and "own_cone" in guide.view.toPlainText()
 
 
 def test_the_contents_lead_to_the_headings(qtbot: QtBot, language: str) -> None:

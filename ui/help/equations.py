@@ -158,6 +158,7 @@ class EquationBrowser(QDialog):
         column.addWidget(self.list, 1)
         self._area = QScrollArea()
         self._area.setAccessibleName(tr("The equation"))
+        self._area.setProperty("role", "stop")
         self._area.setWidget(self.sheet)
         self._area.setFrameShape(QFrame.Shape.StyledPanel)
         right = QWidget()

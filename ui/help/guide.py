@@ -88,11 +88,12 @@ class PageView(QTextBrowser):
     def _take_pictures(self, _width: str, made: tuple[int, dict[str, QImage]]) -> None:
         """Show scaled pictures; what stood at the top stays there."""
         self._fitted, pictures = made
-        document, top = self.document(), self.cursorForPosition(QPoint(0, 0))
+        document, top, bar = self.document(), self.cursorForPosition(QPoint(0, 0)), self.verticalScrollBar()
+        before = self.cursorRect(top).top()
         for name, picture in pictures.items():
             document.addResource(QTextDocument.ResourceType.ImageResource.value, QUrl(name), picture)
         document.markContentsDirty(0, document.characterCount())
-        self.verticalScrollBar().setValue(self.verticalScrollBar().value() + self.cursorRect(top).top())
+        bar.setValue(bar.value() + self.cursorRect(top).top() - before)
 
 
 def scaled(path: Path, width: int) -> QImage:
@@ -173,7 +174,7 @@ class GuideWindow(QDialog):
         self.show_page("glossary")
         block = self.view.document().begin()
         while block.isValid():
-            if block.text().startswith(term):
+            if block.text().startswith(term.replace("_", "")):
                 self._go_to(block.position())
                 return
             block = block.next()

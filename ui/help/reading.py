@@ -1,6 +1,8 @@
-"""How a page of the help is set: room around headings and tables, quiet lines, no slanted Chinese."""
+"""How a page of the help is set: room around headings and tables, quiet lines, low indices, no slanted Chinese."""
 
 from __future__ import annotations
+
+import re
 
 from PySide6.QtGui import (
     QBrush,
@@ -19,6 +21,7 @@ _BELOW, _AROUND, _PADDING = 7.0, 9.0, 5.0
 _ROUNDING = 2.0
 _LINE_PERCENT = 128
 _PICTURE = "\ufffc"
+_INDEX = re.compile(r"(?<=(?<!\w)[A-Zα-ω])_([a-zα-ω]{1,3})(?![\w])")
 _IDEOGRAPHS = range(0x3000, 0xA000)
 
 
@@ -36,11 +39,13 @@ def set_page(document: QTextDocument, line: QColor) -> None:
             look.setBottomMargin(_BELOW)
         elif block.blockFormat().nonBreakableLines():
             look.setNonBreakableLines(False)
+            look.setBottomMargin(0.0 if block.next().blockFormat().nonBreakableLines() else _AROUND)
         elif _PICTURE not in block.text():
             look.setLineHeight(_LINE_PERCENT, QTextBlockFormat.LineHeightTypes.ProportionalHeight.value)
         cursor.setPosition(block.position())
         cursor.mergeBlockFormat(look)
         _stand_up(cursor, block)
+        _lower(cursor, block)
         block = block.next()
 
 
@@ -65,6 +70,24 @@ def _stand_up(cursor: QTextCursor, block: QTextBlock) -> None:
         cursor.setPosition(start)
         cursor.setPosition(start + length, QTextCursor.MoveMode.KeepAnchor)
         cursor.mergeCharFormat(look)
+
+
+def _lower(cursor: QTextCursor, block: QTextBlock) -> None:
+    """Set indices such as that of δ_b below the line; code stays as it is."""
+    low = QTextCharFormat()
+    low.setVerticalAlignment(QTextCharFormat.VerticalAlignment.AlignSubScript)
+    found, pieces = [], block.begin()
+    while not pieces.atEnd():
+        piece = pieces.fragment()
+        if not piece.charFormat().fontFixedPitch():
+            found += [(piece.position() + m.start(), m.group(1)) for m in _INDEX.finditer(piece.text())]
+        pieces += 1
+    for place, index in reversed(found):
+        cursor.setPosition(place)
+        cursor.setPosition(place + 1, QTextCursor.MoveMode.KeepAnchor)
+        cursor.removeSelectedText()
+        cursor.setPosition(place + len(index), QTextCursor.MoveMode.KeepAnchor)
+        cursor.mergeCharFormat(low)
 
 
 def _slanted(block: QTextBlock) -> list[tuple[int, int]]:
