@@ -119,6 +119,8 @@ def test_a_template_matches_whole_sentences_only() -> None:
     assert template.start == "use "
     assert template.pattern.fullmatch("use a or b").groups() == ("a", "b")  # type: ignore[union-attr]
     assert not template.pattern.fullmatch("use a")
+    assert compiled("{0} to {1}").pattern.fullmatch("0.5 to 55")
+    assert not compiled("{0} to {1}").pattern.fullmatch("unable to open it")
     assert translated("12.5") == "12.5"
 
 
