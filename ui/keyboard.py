@@ -31,12 +31,12 @@ def lay_way(window: MainWindow) -> None:
     """Toolbar, panels on the left, views, panels on the right, analysis, status; for what is in sight now."""
     area = window.area
     below = [bar for bar in (area.roll_slider, area.mesh_bar) if bar is not None]
-    bars = window.findChildren(QTabBar, options=Qt.FindChildOption.FindDirectChildrenOnly)
+    bars = [child for child in window.children() if isinstance(child, QTabBar)]
     for bar in bars:  # of panels that lie on one another; some are left over and nowhere
         bar.setFocusPolicy(Qt.FocusPolicy.TabFocus if bar.count() > 1 else Qt.FocusPolicy.NoFocus)
         bar.setAccessibleName(tr("Panels that share a place"))
     beside = [one for one in stops(area) if not any(one is bar or bar.isAncestorOf(one) for bar in below)]
-    docks = [dock for dock in window.findChildren(QDockWidget) if not dock.isAncestorOf(window.analysis)]
+    docks = [one for one in window.children() if isinstance(one, QDockWidget) and not one.isAncestorOf(window.analysis)]
     left, right = (window.form, window.derived), (window.layer_panel, window.solid_panel)
     analysis = (window.analysis.bar, window.analysis)
     tab_in_order((window.method_bar, *left, *beside, *below, *right, *analysis, *docks, *bars, window.status))
