@@ -134,8 +134,8 @@ def menus(stage: Stage) -> None:
         for inner, entry in enumerate(menu.actions()):
             if entry.menu() is not None and entry.menu().actions():
                 stage.menu(f"menu-{number + 1}-{inner + 1}", entry.menu())
-    row = stage.window.form.rows["pair.pinion_teeth"]
-    _popup(stage, "menu-field", lambda: row._show_menu(row.mapToGlobal(row.rect().center())))
+    field = stage.window.form.rows["pair.pinion_teeth"].field
+    _popup(stage, "menu-field", lambda: field.customContextMenuRequested.emit(field.rect().center()))
 
 
 def _popup(stage: Stage, name: str, act: Callable[[], None]) -> None:
