@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from gearstudio.analysis.deviation import statistics
 from gearstudio.analysis.measurement_checks import Fitted, beside_flank, check_fit, check_size, share_beside
+from gearstudio.analysis.measurement_doubts import doubts, explanation
 from gearstudio.analysis.measurement_errors import FormErrors, PitchErrors, form_errors, pitch_errors
 from gearstudio.analysis.measurement_fit import (
     Assignment,
@@ -20,7 +21,7 @@ from gearstudio.analysis.measurement_fit import (
     places,
 )
 from gearstudio.design import Design
-from gearstudio.errors import GeometryError
+from gearstudio.errors import GeometryError, Issue
 from gearstudio.results import Statistics
 from gearstudio.theory.cones import MemberGeometry, PairGeometry
 from gearstudio.theory.flank import FLANKS, Flank, FlankName
@@ -65,6 +66,8 @@ class MeasurementResult:
         Points left out because they lie beside the flanks.
     pitch : mapping of flank to PitchErrors
     form : mapping of flank to FormErrors
+    warnings : tuple of Issue
+        Doubts whether the points are of this gear.
     """
 
     member: str
@@ -80,6 +83,7 @@ class MeasurementResult:
     beside: int
     pitch: dict[FlankName, PitchErrors]
     form: dict[FlankName, FormErrors]
+    warnings: tuple[Issue, ...] = ()
 
     @property
     def flanks(self) -> list[FlankName]:
@@ -112,7 +116,7 @@ def measure(
         About where the part's apex lies on the axis [mm], where that is farther off than a best fit looks.
     design : Design, optional
         Of the pair; with it, points that fit a similar gear much better than this one are told apart from a part
-        with errors.
+        with errors, and doubts are told.
     report : callable, optional
         Told the stage and the part of the work done.
 
@@ -135,8 +139,12 @@ def measure(
     assigned = assign(member, own, facing)
     told("deviations", 0.6)
     error = deviations(member, own, assigned)
-    check_fit(pair, member, points, Fitted((turn, shift), float(np.sqrt(np.mean(error**2)))), design)
+    check_fit(
+        pair, member, points, Fitted((turn, shift), float(np.sqrt(np.mean(error**2)))), design,
+        lambda: "" if design is None else explanation(member, own, assigned, error, (turn, shift), design),
+    )  # fmt: skip
     told("errors", 0.75)
+    found = () if design is None else doubts(member, own, assigned, error, (turn, shift), design)
     face, profile = places(member, own)
     return MeasurementResult(
         member_name, member.hand, points + start, error * 1e3, assigned.side, assigned.tooth, face, profile,
@@ -144,6 +152,7 @@ def measure(
         statistics([error * 1e3]), beside,
         {name: pitch_errors(flank, own, error, assigned) for name, flank in _measured(member, assigned)},
         form_errors(member, own, assigned, (turn, shift)),
+        found,
     )  # fmt: skip
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import suppress
 from dataclasses import dataclass
 
@@ -89,6 +89,7 @@ def check_fit(
     points: Floats,
     fitted: Fitted,
     design: Design | None = None,
+    explained: Callable[[], str] = str,
 ) -> None:
     """Raises GeometryError where deviations are larger than a part's can be, or are those of another gear.
 
@@ -100,6 +101,8 @@ def check_fit(
     fitted : Fitted
     design : Design, optional
         Of the pair: pairs with other numbers of teeth or another pressure angle are tried as well.
+    explained : callable
+        Says what else explains them; asked only when they are refused and no such pair does.
     """
     allowed = _WORST_RMS_MODULES * member.module + _WORST_RMS_MM
     some, rms = points[:: max(1, len(points) // _LOOKED_AT)], fitted.rms
@@ -118,7 +121,7 @@ def check_fit(
     limit = f", where {allowed:.3g} mm could be a measured deviation" if rms > allowed else ""
     raise GeometryError(
         f"the points do not lie on this {member.name}'s flanks: {rms:.3g} mm rms are left after the best fit{limit}; "
-        f"{hint or _guess(pair, member, some, allowed)}"
+        f"{hint or explained() or _guess(pair, member, some, allowed)}"
     )
 
 

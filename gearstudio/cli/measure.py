@@ -38,6 +38,8 @@ def run(args: argparse.Namespace) -> int:
         return UNUSABLE_INPUT
     finally:
         progress.clear()
+    for warning in result.warnings:
+        problem(f"{args.points}: warning: {warning}")
     if args.json != STANDARD_OUTPUT:
         print(_text(result))
     if args.json is not None:
@@ -68,6 +70,7 @@ def measurement_record(result: MeasurementResult) -> dict[str, Any]:
         "max_um": result.statistics.max_um,
         "mean_um": result.statistics.mean_um,
         "rms_um": result.statistics.rms_um,
+        "warnings": [{"code": w.code, "field": w.field, "message": w.message} for w in result.warnings],
         "flanks": {
             name: {
                 "spiral_angle_error_um": form.spiral_um,

@@ -20,6 +20,7 @@ Span = tuple[float, float]
 DEGREE = 5
 _DRAWN_POINTS = 60
 _LIMIT_SAMPLES = 64
+_PROFILE_SAMPLES = 9
 _LONGEST_STRETCH = 2 * np.pi
 
 
@@ -139,9 +140,13 @@ def cut(patch: RolledPatch, u: Floats, v: Floats) -> NurbsSurface:
 
 
 def _roll_span(flank: InvoluteFlank, samples: int) -> tuple[Floats, Floats, Span]:
-    """Cone distances and contact azimuths along both edges of the flank, (2, samples + 1) each; the roll's span."""
-    psi, rho = flank.coordinates(np.array([[0.0], [1.0]]), np.linspace(0.0, 1.0, samples + 1))
-    roll = flank.contact_azimuth(psi, rho)
+    """Cone distances and contact azimuths over the flank, (n, samples + 1) each; the roll's span.
+
+    Between root and tip a toe on the front cone comes as near to the apex as the member's inner cone distance.
+    """
+    psi, rho = flank.coordinates(np.linspace(0.0, 1.0, _PROFILE_SAMPLES)[:, None], np.linspace(0.0, 1.0, samples + 1))
+    roll, rho = flank.contact_azimuth(psi, rho), np.array(rho)
+    rho[0, 0] = min(rho[:, 0].min(), flank.member.inner_cone_distance)
     return rho, roll, (float(roll.min()), float(roll.max()))
 
 

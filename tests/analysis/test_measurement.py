@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
@@ -11,7 +12,7 @@ import pytest
 from gearstudio.analysis.measurement import MeasuredPoints, MeasurementResult, measure
 from gearstudio.analysis.measurement_fit import azimuth_lever, places, turned_back
 from gearstudio.catalogue import MEMBERS
-from gearstudio.design import Design
+from gearstudio.design import Design, with_field
 from gearstudio.errors import GeometryError
 from gearstudio.theory.cones import MemberGeometry, PairGeometry, pair_geometry
 from gearstudio.theory.flank import FLANKS, FlankName, InvoluteFlank, involute_flank
@@ -255,6 +256,56 @@ def test_points_of_a_similar_gear_are_refused_by_its_name(words: str) -> None:
     made = part(similar, range(0, similar.teeth, 4), turn=0.1, shift=0.2, noise_um=2)
     with pytest.raises(GeometryError, match=f"they fit the pinion of a pair with {words}"):
         measure(PAIR, "pinion", made.measured(), design=Design())
+
+
+OTHER_NUMBERS = [
+    ("lengthwise.cutter_radius", 72.0, "a cutter radius of"),
+    ("lengthwise.cutter_radius", 88.0, "a cutter radius of"),
+    ("tooth.profile_shift", -0.05, "a profile shift of"),
+    ("lengthwise.spiral_angle_deg", 35.3, "a spiral angle of"),
+]
+
+
+@pytest.mark.parametrize("member", MEMBERS)
+@pytest.mark.parametrize(("field", "value", "words"), OTHER_NUMBERS)
+def test_points_that_another_number_explains_are_doubted_with_that_number(
+    field: str, value: float, words: str, member: str
+) -> None:
+    other = pair_geometry(with_field(Design(), field, value)).member(member)
+    made = part(other, range(0, other.teeth, 5), turn=0.05, shift=0.1, noise_um=2)
+    (doubt,) = measure(PAIR, member, made.measured(), design=Design()).warnings
+    assert (doubt.field, doubt.severity) == (field, "warning")
+    found = re.search(rf"with {words} (-?[\d.]+)", doubt.message)
+    assert found and float(found[1]) == pytest.approx(value, rel=2e-3, abs=5e-4)
+    assert "instead of" in doubt.message and "Check that the part is of this design" in doubt.message
+
+
+def test_points_that_are_refused_are_explained_by_a_number_too() -> None:
+    other = pair_geometry(with_field(Design(), "lengthwise.cutter_radius", 60.0)).wheel
+    made = part(other, range(0, 40, 9), turn=0.05, noise_um=2)
+    with pytest.raises(GeometryError, match=r"with a cutter radius of (59.9|60)\S* mm instead of .*80 mm"):
+        measure(PAIR, "wheel", made.measured(), design=Design())
+
+
+def test_bad_points_that_nothing_explains_are_doubted_all_the_same() -> None:
+    """A wave along the face is no gear."""
+    made = part(PAIR.wheel, range(0, 40, 9), error=lambda flank, tooth, points, x, y: 60 * np.sin(9 * y) * x)
+    (doubt,) = measure(PAIR, "wheel", made.measured(), design=Design()).warnings
+    assert doubt.code == "fits_badly" and "µm rms" in doubt.message
+
+
+@pytest.mark.parametrize("member", MEMBERS)
+@pytest.mark.parametrize("seed", range(4))
+def test_parts_with_common_errors_are_not_doubted(member: str, seed: int) -> None:
+    random = np.random.default_rng(seed)
+    c, pitch = 5 * random.standard_normal((2, 5)), 4 * random.standard_normal(40)
+
+    def error(flank: InvoluteFlank, tooth: int, points: np.ndarray, x: np.ndarray, y: np.ndarray) -> np.ndarray:
+        form = np.stack([x, y, x * x, y * y, x * y])
+        return c[int(flank.side > 0)] @ form + pitch[tooth]
+
+    made = part(PAIR.member(member), range(0, 17, 4), error=error, turn=0.1, shift=0.05, noise_um=1)
+    assert measure(PAIR, member, made.measured(), design=Design()).warnings == ()
 
 
 @pytest.mark.parametrize(

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from gearstudio import cli
-from gearstudio.design import Design
+from gearstudio.design import Design, with_field
 from gearstudio.project import save_design
 
 
@@ -146,3 +146,14 @@ def test_measure_says_inches(run: Any, design: Path, points: Path, tmp_path: Pat
 def test_measure_names_a_missing_file(run: Any, design: Path, tmp_path: Path) -> None:
     status, _, problems = run("measure", design, tmp_path / "none.dat", "--member", "wheel")
     assert status == 2 and "none.dat" in problems[0] and len(problems) == 1
+
+
+def test_measure_warns_of_points_that_another_cutter_explains(run: Any, points: Path, tmp_path: Path) -> None:
+    other, target = tmp_path / "other.gear.toml", tmp_path / "measured.json"
+    save_design(other, with_field(Design(), "lengthwise.cutter_radius", 72.0))
+    status, _, problems = run("measure", other, points, "--member", "wheel", "--json", target)
+    assert status == 0
+    (warning,) = json.loads(target.read_text())["warnings"]
+    assert (warning["code"], warning["field"]) == ("other_gear_likely", "lengthwise.cutter_radius")
+    assert "80 mm instead of a cutter radius of 72 mm" in warning["message"]
+    assert len(problems) == 1 and "warning: lengthwise.cutter_radius: the points fit this wheel badly" in problems[0]

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from gearstudio.design import Design
+from gearstudio.design import Design, with_field
 from gearstudio.theory.cones import pair_geometry
 from gearstudio.theory.flank import FLANKS, involute_flank
 from ui.analysis.measured_scene import measured_layers
@@ -89,6 +89,20 @@ def test_the_best_fit_can_be_switched_off(page, qtbot, file: Path) -> None:
     settle(page, qtbot)
     assert page.measurement.result.pose.turn == 0
     assert page.measurement.result.statistics.max_um > 50
+
+
+def test_points_that_another_cutter_explains_are_measured_with_a_warning(page, qtbot, file: Path) -> None:
+    page.session.load(with_field(Design(), "lengthwise.cutter_radius", 72.0))
+    page.show_session(page.session)
+    page.open_path(file)
+    settle(page, qtbot)
+    assert "with a cutter radius of" in page.panel.file.text() and "instead of" in page.panel.file.text()
+    assert page.panel.file.property("severity") == "warning"
+    assert page.measurement.result.warnings[0].field == "lengthwise.cutter_radius"
+    page.session.load(Design())
+    page.show_session(page.session)
+    settle(page, qtbot)
+    assert "instead of" not in page.panel.file.text() and page.panel.file.property("severity") == ""
 
 
 def test_points_that_cannot_be_used_are_told_with_the_reason(page, qtbot, tmp_path: Path) -> None:

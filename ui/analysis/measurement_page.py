@@ -175,7 +175,8 @@ class MeasurementPage(QWidget):
 
     def _on_measured(self, measurement: Measurement, made: Drawn) -> None:
         self.measurement = measurement
-        self.panel.tell(_words(measurement))
+        doubts = [told(doubt.message) for doubt in measurement.result.warnings]
+        self.panel.tell("\n".join([_words(measurement), *doubts]), "warning" if doubts else "")
         self._fill_teeth(measurement)
         self.panel.table.show_measurement(measurement)
         self._show(made)
