@@ -228,3 +228,13 @@ def test_a_design_file_keeps_all_of_it() -> None:
 def test_the_reference_pinion_on_the_command_line(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["contact", "preset:default", "--pinion", "own_cone"]) == 2
     assert "offset" in capsys.readouterr().err
+
+
+def test_a_wheel_angle_at_which_the_pinion_would_be_flat_is_passed_over() -> None:
+    """At a shaft angle of 91° a wheel of 1°, the first that is tried, would have a pinion of 90°."""
+    pair = {"pinion_teeth": 7, "wheel_teeth": 19, "outer_module": 22.5559, "face_width": 59.45, "offset": 4.2856}
+    lengthwise = {"curve": "archimedean", "spiral_angle_deg": 42.988}
+    design = Design.model_validate(
+        {"pair": {**pair, "shaft_angle_deg": 91.0}, "lengthwise": lengthwise, "depth": {"system": "iso23509"}}
+    )
+    assert pair_geometry(design).wheel.pitch_angle == pytest.approx(np.radians(71.0), abs=0.03)

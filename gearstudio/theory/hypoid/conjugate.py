@@ -17,6 +17,7 @@ from gearstudio.theory.hypoid.edge import StartOfContact, start_of_contact
 from gearstudio.theory.hypoid.envelope import Envelope
 from gearstudio.theory.hypoid.inverse import Guess, generating_point
 from gearstudio.theory.hypoid.pair import HypoidPair
+from gearstudio.theory.hypoid.second import derivatives
 from gearstudio.theory.vectors import dot, quarter, spherical
 
 Floats = NDArray[np.float64]
@@ -26,7 +27,6 @@ _EDGE_STEPS = 8
 _FOOT_POINT_ACCURACY = 1e-12
 _SECOND_ORDER = 3e-7
 """Distances [of rho] whose first value, exact to second order, is right to 1e-13."""
-_STEP = 2e-3
 _BEYOND, _BELOW = 0.25, 0.05
 _KEPT = 64
 
@@ -150,22 +150,9 @@ class ConjugateFlank:
         return self.envelope.at(psi, rho).normal
 
     def derivatives_at(self, psi: ArrayLike, rho: ArrayLike, /) -> tuple[Floats, Floats, Floats, Floats, Floats]:
-        """First and second derivatives by the natural coordinates, shape (..., 3) each.
-
-        The first are in closed form; the second are differences of fourth order of them.
-        """
+        """First and second derivatives by the natural coordinates, shape (..., 3) each, in closed form."""
         psi, rho = np.broadcast_arrays(np.asarray(psi, dtype=np.float64), np.asarray(rho, dtype=np.float64))
-        _, first, second = self.envelope.tangents(psi, rho)
-        length = _STEP * self.member.mean_cone_distance
-        by_psi = [self.envelope.tangents(psi + k * _STEP, rho)[1:] for k in (-2, -1, 1, 2)]
-        by_rho = [self.envelope.tangents(psi, rho + k * length)[2] for k in (-2, -1, 1, 2)]
-        return (
-            first,
-            second,
-            _difference([d[0] for d in by_psi], _STEP),
-            _difference([d[1] for d in by_psi], _STEP),
-            _difference(by_rho, length),
-        )
+        return derivatives(self.envelope, psi, rho)
 
     def curvatures_at(self, psi: ArrayLike, rho: ArrayLike, /) -> tuple[Floats, Floats]:
         """Principal curvatures in closed form, the larger first, positive where convex [1/mm], (...) each."""
@@ -314,9 +301,3 @@ def pinion_flank(pair: HypoidPair, name: FlankName, raised: float = 0.0) -> Conj
     side, bare = pair.side("pinion", name), replace(pair, given=replace(pair.given, backlash=0.0, fillet_factor=0.0))
     flank = ConjugateFlank(pair.member("pinion", name), side, envelope(pair, side), raised)
     return replace(flank, alike=_shape(bare, name, raised))
-
-
-def _difference(values: list[Floats], step: float) -> Floats:
-    """First derivative of fourth order from values at -2, -1, 1 and 2 steps."""
-    far, near, after, beyond = values
-    return np.asarray((8 * (after - near) - (beyond - far)) / (12 * step))

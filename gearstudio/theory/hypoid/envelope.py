@@ -106,7 +106,8 @@ class Envelope:
 
         Notes
         -----
-        N = side X_rho x e_n with e_n square to the rolling plane; both are regular on the base cone.
+        N = side X_rho x e_n with e_n square to the rolling plane, which is side (K x e_n - rho theta' sin(delta_b) K)
+        for the unit vector K to the point; all of it turns by theta(rho) about the axis. Regular on the base cone.
         """
         psi, rho = np.broadcast_arrays(np.asarray(psi, dtype=np.float64), np.asarray(rho, dtype=np.float64))
         member, side = self.wheel.member, self.side
@@ -115,19 +116,15 @@ class Envelope:
         sin_psi, cos_psi, r = np.sin(psi)[..., None], np.cos(psi)[..., None], rho[..., None]
         slope, bend = (x[..., None] for x in member.lengthwise.azimuth_derivatives(rho)[1:])
         ray = cos_psi * along + side * sin_psi * across
-        ray_psi = sin_psi * (cos_b / sin_b) * plane
-        spun = quarter(ray)
-        by_rho = ray + r * slope * spun
-        by_rho_psi = ray_psi + r * slope * quarter(ray_psi)
-        by_rho_rho = 2 * slope * spun + r * (bend * spun + slope**2 * quarter(spun))
-        plane_psi, plane_rho = -side * (cos_b / sin_b) * across, slope * cos_b * across
+        lean = r * slope
+        normal = side * (cos_psi * across - lean * sin_b * ray) - sin_psi * along
         return WheelPoint(
             point=r * ray,
-            by_psi=r * ray_psi,
-            by_rho=by_rho,
-            normal=side * cross(by_rho, plane),
-            normal_by_psi=side * (cross(by_rho_psi, plane) + cross(by_rho, plane_psi)),
-            normal_by_rho=side * (cross(by_rho_rho, plane) + cross(by_rho, plane_rho)),
+            by_psi=(r * sin_psi * (cos_b / sin_b)) * plane,
+            by_rho=ray + lean * quarter(ray),
+            normal=normal,
+            normal_by_psi=(cos_b / sin_b * cos_psi - side * cos_b * lean * sin_psi) * plane,
+            normal_by_rho=slope * quarter(normal) - (side * sin_b * (slope + r * bend)) * ray,
         )
 
     def at(self, psi: ArrayLike, rho: ArrayLike) -> PinionPoint:
@@ -145,8 +142,8 @@ class Envelope:
     def made(self, psi: ArrayLike, rho: ArrayLike) -> PinionPoint:
         """As `at`, but not a number where the wheel's points never touch."""
         w = self.wheel_point(psi, rho)
-        turn, slopes = self._turn(w)
-        point, by = self._moved(w, turn, slopes)
+        turn, slopes = self.turn(w)
+        point, by = self.moved(w, turn, slopes)
         normal = turned(w.normal, turn)
         length = np.sqrt(dot(normal, normal))[..., None]
         outward = -normal / length
@@ -158,34 +155,34 @@ class Envelope:
         before = dot(cross(w.by_psi, w.by_rho), w.normal)
         with np.errstate(divide="ignore", invalid="ignore"):
             area = np.where(before == 0, np.inf, dot(cross(by[0], by[1]), normal) / before)
-        wheel_turn = self._wheel_turn(turn)
-        own = [self._to_pinion(x, wheel_turn) for x in (point, *by, outward, *leaning)]
+        wheel_turn = self.turn_of_wheel(turn)
+        own = [self.to_pinion(x, wheel_turn) for x in (point, *by, outward, *leaning)]
         return PinionPoint(own[0], own[1], own[2], own[3], own[4], own[5], area, wheel_turn)
 
     def tangents(self, psi: ArrayLike, rho: ArrayLike) -> tuple[Floats, Floats, Floats]:
         """Points of the pinion's flank and their derivatives by psi and rho, not a number where none touches."""
         w = self.wheel_point(psi, rho)
-        turn, slopes = self._turn(w)
-        point, by = self._moved(w, turn, slopes)
-        wheel_turn = self._wheel_turn(turn)
+        turn, slopes = self.turn(w)
+        point, by = self.moved(w, turn, slopes)
+        wheel_turn = self.turn_of_wheel(turn)
         return (
-            self._to_pinion(point, wheel_turn),
-            self._to_pinion(by[0], wheel_turn),
-            self._to_pinion(by[1], wheel_turn),
+            self.to_pinion(point, wheel_turn),
+            self.to_pinion(by[0], wheel_turn),
+            self.to_pinion(by[1], wheel_turn),
         )
 
     def points(self, psi: ArrayLike, rho: ArrayLike) -> Floats:
         """Points alone, shape (..., 3); raises as `at`."""
         w = self.wheel_point(psi, rho)
-        turn, _ = self._turn(w)
+        turn, _ = self.turn(w)
         _refuse_missed(turn)
-        return self._to_pinion(turned(w.point, turn) - self._reach, self._wheel_turn(turn))
+        return self.to_pinion(turned(w.point, turn) - self._reach, self.turn_of_wheel(turn))
 
     def wheel_turn(self, psi: ArrayLike, rho: ArrayLike) -> Floats:
         """phi_2 [rad] at which the wheel's points at natural coordinates touch, shape (...); raises as `at`."""
-        turn, _ = self._turn(self.wheel_point(psi, rho))
+        turn, _ = self.turn(self.wheel_point(psi, rho))
         _refuse_missed(turn)
-        return self._wheel_turn(turn)
+        return self.turn_of_wheel(turn)
 
     @cached_property
     def _reach(self) -> Floats:
@@ -208,10 +205,10 @@ class Envelope:
         member = self.wheel.member
         psi = roll_arc(member.pitch_angle, member.base_angle)
         w = self.wheel_point(psi, member.lengthwise.mean_cone_distance)
-        a, b, _ = self._coefficients(w.normal, cross(w.point, w.normal))
+        a, b, _ = self.coefficients(w.normal, cross(w.point, w.normal))
         return 1.0 if np.sin(self._mean_turn - np.arctan2(b, a)) >= 0 else -1.0
 
-    def _coefficients(self, normal: Floats, moment: Floats) -> tuple[Floats, Floats, Floats]:
+    def coefficients(self, normal: Floats, moment: Floats) -> tuple[Floats, Floats, Floats]:
         """A, B, C of F for a normal and its moment."""
         (sin_s, _, cos_s), (kx, ky, kz) = self.axes.pinion_axis, self._moment
         nx, ny, nz = normal[..., 0], normal[..., 1], normal[..., 2]
@@ -222,9 +219,9 @@ class Envelope:
             (cos_s + 1 / self.ratio) * mz - kz * nz,
         )
 
-    def _turn(self, w: WheelPoint) -> tuple[Floats, tuple[Floats, Floats]]:
+    def turn(self, w: WheelPoint) -> tuple[Floats, tuple[Floats, Floats]]:
         """t of the wheel's tooth at contact, and its derivatives by psi and rho."""
-        a, b, c = self._coefficients(w.normal, cross(w.point, w.normal))
+        a, b, c = self.coefficients(w.normal, cross(w.point, w.normal))
         with np.errstate(invalid="ignore"):
             turn = np.arctan2(b, a) + self._branch * np.arccos(-c / np.hypot(a, b))
         turn = self._mean_turn + np.remainder(turn - self._mean_turn + np.pi, 2 * np.pi) - np.pi
@@ -233,13 +230,13 @@ class Envelope:
 
         def slope(normal: Floats, by: Floats) -> Floats:
             moment = cross(by, w.normal) + cross(w.point, normal)
-            a_j, b_j, c_j = self._coefficients(normal, moment)
+            a_j, b_j, c_j = self.coefficients(normal, moment)
             return np.asarray(-(a_j * cos_t + b_j * sin_t + c_j) / steep)
 
         with np.errstate(divide="ignore", invalid="ignore"):
             return turn, (slope(w.normal_by_psi, w.by_psi), slope(w.normal_by_rho, w.by_rho))
 
-    def _moved(self, w: WheelPoint, turn: Floats, slopes: tuple[Floats, Floats]) -> tuple[Floats, list[Floats]]:
+    def moved(self, w: WheelPoint, turn: Floats, slopes: tuple[Floats, Floats]) -> tuple[Floats, list[Floats]]:
         """Points about the pinion's apex and their derivatives as the pinion sees them, in the world's directions."""
         arm = turned(w.point, turn) - self._reach
         sliding = quarter(arm + self._reach) + self.ratio * cross(self.axes.pinion_axis, arm)
@@ -247,10 +244,12 @@ class Envelope:
             turned(d, turn) + sliding * slope[..., None] for d, slope in zip((w.by_psi, w.by_rho), slopes, strict=True)
         ]
 
-    def _wheel_turn(self, turn: Floats) -> Floats:
+    def turn_of_wheel(self, turn: Floats) -> Floats:
+        """phi_2 at turns t of the wheel's tooth [rad]."""
         return np.asarray(turn - self.axes.mean_azimuth + self.side * np.pi / self.wheel.member.teeth)
 
-    def _to_pinion(self, vectors: Floats, wheel_turn: Floats) -> Floats:
+    def to_pinion(self, vectors: Floats, wheel_turn: Floats) -> Floats:
+        """Vectors of the world's directions in the pinion's frame when the wheel has turned by phi_2."""
         own = vectors @ self.axes.pinion_frame
         return turned(own, self.ratio * wheel_turn - self.side * self.thinning)
 

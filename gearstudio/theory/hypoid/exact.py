@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from math import asin, copysign, cos, nan, pi, radians, sin
+from math import asin, copysign, cos, isnan, nan, pi, radians, sin
 
 from gearstudio.theory.hypoid.inputs import HypoidInput
 from gearstudio.theory.hypoid.method1 import bevel_angles, method_0
@@ -63,6 +63,8 @@ def _at(given: HypoidInput, wheel: float) -> PitchCones | None:
         return abs(given.offset) - sin(turn) * reach
 
     before = 0.0
+    if isnan(gap(before)):
+        return None
     for k in range(1, _INNER_SCAN + 1):
         turn = farthest * k / _INNER_SCAN
         value = gap(turn)

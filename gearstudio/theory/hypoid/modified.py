@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from gearstudio.theory.hypoid.conjugate import ConjugateFlank
+from gearstudio.theory.hypoid.envelope import PinionPoint
+from gearstudio.theory.hypoid.second import derivatives
 from gearstudio.theory.relief import FlankRelief
 from gearstudio.theory.vectors import cross, dot, quarter, turned, unit
 
@@ -22,7 +23,7 @@ _PLACES = (-2, -1, 1, 2)
 class ModifiedConjugate(ConjugateFlank):
     """A conjugate flank from which metal is taken off; natural coordinates and limits stay those of the conjugate.
 
-    A point X is turned by s = -side e(rho, delta_k) / lever about the axis, which moves it by e along its normal.
+    A point X is turned by s = -e(rho, delta_k) / (z x X . n) about the axis, which moves it by e along its normal n.
     """
 
     relief: FlankRelief | None = None
@@ -33,8 +34,7 @@ class ModifiedConjugate(ConjugateFlank):
         if self.relief is None:
             return made.point
         distance, delta, _ = self.locate(made.point)
-        taken = self.relief.value(distance, delta) / dot(quarter(made.point), made.normal)
-        return turned(made.point, -taken)
+        return turned(made.point, self.relief.value(distance, delta) * _turning(made))
 
     @property
     def plain(self) -> ConjugateFlank:
@@ -43,8 +43,7 @@ class ModifiedConjugate(ConjugateFlank):
 
     def turning(self, psi: ArrayLike, rho: ArrayLike) -> Floats:
         """Azimuth by which metal taken off turns the point at natural coordinates [rad/mm]."""
-        made = self.envelope.at(psi, rho)
-        return np.asarray(-1 / dot(quarter(made.point), made.normal))
+        return _turning(self.envelope.at(psi, rho))
 
     def normals_at(self, psi: ArrayLike, rho: ArrayLike, /) -> Floats:
         """Unit normals out of the metal at natural coordinates, shape (..., 3)."""
@@ -52,17 +51,19 @@ class ModifiedConjugate(ConjugateFlank):
         return self._surface(psi, rho)[1]
 
     def derivatives_at(self, psi: ArrayLike, rho: ArrayLike, /) -> tuple[Floats, Floats, Floats, Floats, Floats]:
-        """First and second derivatives by the natural coordinates, shape (..., 3) each: differences of fourth order."""
+        """First and second derivatives by the natural coordinates, shape (..., 3) each: those of R_z(s) X.
+
+        All are in closed form but for the second derivatives of the turn per metal, differences of fourth order of
+        the first; they count by as much as metal is taken off.
+        """
         psi, rho = np.broadcast_arrays(np.asarray(psi, dtype=np.float64), np.asarray(rho, dtype=np.float64))
-        far, long = 4 * _STEP, 4 * self._length
-        a, b = self._first(psi, rho)
-        return (
-            a,
-            b,
-            _second(lambda k: self.at(psi + k * far, rho), far),
-            _first(lambda k: self._first(psi, rho + k * long)[0], long),
-            _second(lambda k: self.at(psi, rho + k * long), long),
+        made, by = self.envelope.at(psi, rho), derivatives(self.envelope, psi, rho)
+        length = _STEP * self.member.mean_cone_distance
+        twice = (
+            *_differences([_turning_slopes(self.envelope.at(psi + k * _STEP, rho)) for k in _PLACES], _STEP),
+            _differences([_turning_slopes(self.envelope.at(psi, rho + k * length)) for k in _PLACES], length)[1],
         )
+        return _turned_derivatives(made.point, by, self._shift(made, by, twice))
 
     def curvatures_at(self, psi: ArrayLike, rho: ArrayLike, /) -> tuple[Floats, Floats]:
         """Principal curvatures, the larger first, positive where convex [1/mm], (...) each."""
@@ -75,27 +76,97 @@ class ModifiedConjugate(ConjugateFlank):
         spread = np.sqrt(np.maximum(mean**2 - gaussian, 0.0))
         return mean + spread, mean - spread
 
-    @property
-    def _length(self) -> float:
-        return _STEP * self.member.mean_cone_distance
-
-    def _first(self, psi: Floats, rho: Floats) -> tuple[Floats, Floats]:
-        by_psi = _first(lambda k: self.at(psi + k * _STEP, rho), _STEP)
-        return by_psi, _first(lambda k: self.at(psi, rho + k * self._length), self._length)
-
     def _surface(self, psi: Floats, rho: Floats) -> tuple[Floats, Floats]:
-        normal = unit(cross(*self._first(psi, rho)))
-        outward = self.envelope.at(psi, rho).normal
-        return self.at(psi, rho), np.where(dot(normal, outward)[..., None] < 0, -normal, normal)
+        made = self.envelope.at(psi, rho)
+        first = (made.by_psi, made.by_rho)
+        shift = self._shift(made, first)
+        spun = quarter(made.point)
+        by_psi, by_rho = (d + s[..., None] * spun for d, s in zip(first, shift[1:3], strict=True))
+        normal = unit(cross(by_psi, by_rho))
+        normal = np.where(dot(normal, made.normal)[..., None] < 0, -normal, normal)
+        return turned(made.point, shift[0]), turned(normal, shift[0])
+
+    def _shift(self, made: PinionPoint, by: tuple[Floats, ...], twice: tuple[Floats, ...] = ()) -> tuple[Floats, ...]:
+        """s = e g, its first derivatives, and with second derivatives of X and of the turn per metal g its second."""
+        if self.relief is None:
+            return (np.zeros(made.area_ratio.shape),) * (6 if twice else 3)
+        rho, delta, places = _polar(made.point, by)
+        e, e_r, e_d, e_rr, e_rd, e_dd = self.relief.derivatives(rho, delta)
+        g, (g_psi, g_rho) = _turning(made), _turning_slopes(made)
+        (r_a, d_a), (r_b, d_b), *second = places
+        e_a, e_b = e_r * r_a + e_d * d_a, e_r * r_b + e_d * d_b
+        first = (e * g, e_a * g + e * g_psi, e_b * g + e * g_rho)
+        if not twice:
+            return first
+        taken = [
+            e_rr * r_i * r_j + e_rd * (r_i * d_j + r_j * d_i) + e_dd * d_i * d_j + e_r * r_ij + e_d * d_ij
+            for (r_i, d_i, r_j, d_j), (r_ij, d_ij) in zip(
+                ((r_a, d_a, r_a, d_a), (r_a, d_a, r_b, d_b), (r_b, d_b, r_b, d_b)), second, strict=True
+            )
+        ]
+        return (
+            *first,
+            taken[0] * g + 2 * e_a * g_psi + e * twice[0],
+            taken[1] * g + e_a * g_rho + e_b * g_psi + e * twice[1],
+            taken[2] * g + 2 * e_b * g_rho + e * twice[2],
+        )
 
 
-def _first(at: Callable[[int], Floats], step: float) -> Floats:
-    """First derivative of fourth order."""
-    far, near, after, beyond = (at(k) for k in _PLACES)
-    return np.asarray((8 * (after - near) - (beyond - far)) / (12 * step))
+def _turning(made: PinionPoint) -> Floats:
+    """g = -1 / (z x X . n) [rad/mm]."""
+    return np.asarray(-1 / dot(quarter(made.point), made.normal))
 
 
-def _second(at: Callable[[int], Floats], step: float) -> Floats:
-    """Second derivative of fourth order."""
-    far, near, after, beyond = (at(k) for k in _PLACES)
-    return np.asarray((16 * (after + near) - (beyond + far) - 30 * at(0)) / (12 * step**2))
+def _turning_slopes(made: PinionPoint) -> tuple[Floats, Floats]:
+    """First derivatives of g by psi and rho."""
+    square = dot(quarter(made.point), made.normal) ** 2
+    by_psi, by_rho = (
+        (dot(quarter(d), made.normal) + dot(quarter(made.point), n)) / square
+        for d, n in ((made.by_psi, made.normal_by_psi), (made.by_rho, made.normal_by_rho))
+    )
+    return by_psi, by_rho
+
+
+def _polar(point: Floats, by: tuple[Floats, ...]) -> tuple[Floats, Floats, list[tuple[Floats, Floats]]]:
+    """Distance from the apex and polar angle of points, and their derivatives in the order of the points' own."""
+    x, y, z = point[..., 0], point[..., 1], point[..., 2]
+    radius = np.hypot(x, y)
+    rho, delta = np.hypot(radius, z), np.arctan2(radius, z)
+    flat = [(x * d[..., 0] + y * d[..., 1]) / radius for d in by[:2]]
+    places = [(dot(point, d) / rho, (z * r - radius * d[..., 2]) / rho**2) for d, r in zip(by[:2], flat, strict=True)]
+    for (i, j), d in zip(((0, 0), (0, 1), (1, 1)), by[2:], strict=False):
+        a, b = by[i], by[j]
+        out = (
+            a[..., 0] * b[..., 0] + a[..., 1] * b[..., 1] + x * d[..., 0] + y * d[..., 1] - flat[i] * flat[j]
+        ) / radius
+        far = (dot(a, b) + dot(point, d) - places[i][0] * places[j][0]) / rho
+        lean = (b[..., 2] * flat[i] + z * out - flat[j] * a[..., 2] - radius * d[..., 2]) / rho**2
+        places.append((far, lean - 2 * places[j][0] * places[i][1] / rho))
+    return rho, delta, places
+
+
+def _turned_derivatives(
+    point: Floats, by: tuple[Floats, ...], shift: tuple[Floats, ...]
+) -> tuple[Floats, Floats, Floats, Floats, Floats]:
+    """Derivatives of R_z(s) X from those of X and s."""
+    s, s_a, s_b, s_aa, s_ab, s_bb = (part[..., None] for part in shift)
+    a, b, aa, ab, bb = by
+    x_j, a_j, b_j = quarter(point), quarter(a), quarter(b)
+    x_jj = quarter(x_j)
+    parts = (
+        a + s_a * x_j,
+        b + s_b * x_j,
+        aa + 2 * s_a * a_j + s_aa * x_j + s_a**2 * x_jj,
+        ab + s_a * b_j + s_b * a_j + s_ab * x_j + s_a * s_b * x_jj,
+        bb + 2 * s_b * b_j + s_bb * x_j + s_b**2 * x_jj,
+    )
+    first, second, *others = (turned(part, s[..., 0]) for part in parts)
+    return first, second, others[0], others[1], others[2]
+
+
+def _differences(values: list[tuple[Floats, Floats]], step: float) -> tuple[Floats, Floats]:
+    """First derivatives of fourth order of two functions, from values at -2, -1, 1 and 2 steps."""
+    first, second = (
+        (8 * (after - near) - (beyond - far)) / (12 * step) for far, near, after, beyond in zip(*values, strict=True)
+    )
+    return first, second
