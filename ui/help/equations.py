@@ -159,7 +159,6 @@ class EquationBrowser(QDialog):
         self._area = QScrollArea()
         self._area.setAccessibleName(tr("The equation"))
         self._area.setProperty("role", "stop")
-        self._area.setProperty("role", "stop")
         self._area.setWidget(self.sheet)
         self._area.setFrameShape(QFrame.Shape.StyledPanel)
         right = QWidget()
