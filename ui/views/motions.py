@@ -61,6 +61,8 @@ def meshing(pair: PairGeometry, view: SolidView) -> Motion:
     start, pitch = view.angle, 2 * np.pi / pair.pinion.teeth
 
     def show(grid: ViewGrid, looks: list[Camera], place: float) -> None:
+        grid.pointing.pin = None  # it would stay behind
+        grid.place_markers()
         grid.store.move({name: motion(pair, name, start + place * pitch) for name in ("pinion", "wheel")})
 
     return Motion("meshing", tr("Pair in mesh, on by one tooth"), show, True)
