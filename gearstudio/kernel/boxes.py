@@ -69,9 +69,9 @@ def _face_box(shape: TopoDS_Shape, beyond: NDArray[np.bool_]) -> Floats:
     """Coordinates at the places inside a face where its normal lies along an axis; nan where there are none."""
     face, found = TopoDS.Face(shape), np.full((2, 3), np.nan)
     geometry = BRep_Tool.Surface_s(face)
-    surface = None if isinstance(geometry, _WITHIN_EDGES) else parametric(geometry)
-    if surface is None:
-        return found if isinstance(geometry, _WITHIN_EDGES) else _edge_box(shape, beyond)
+    if isinstance(geometry, _WITHIN_EDGES):
+        return found
+    surface = parametric(geometry)
     u0, u1, v0, v1 = BRepTools.UVBounds_s(face)
     _, normals = surface.at(np.linspace(u0, u1, _LOOKS), np.linspace(v0, v1, _LOOKS))
     upright = np.abs(normals) > _ALONG_AXIS * np.linalg.norm(normals, axis=-1, keepdims=True)

@@ -12,13 +12,19 @@ from numpy.typing import NDArray
 from OCP.Geom import (
     Geom_BSplineSurface,
     Geom_ConicalSurface,
+    Geom_Curve,
     Geom_CylindricalSurface,
     Geom_ElementarySurface,
+    Geom_Line,
     Geom_Plane,
     Geom_RectangularTrimmedSurface,
     Geom_SphericalSurface,
     Geom_Surface,
+    Geom_SurfaceOfRevolution,
+    Geom_ToroidalSurface,
+    Geom_TrimmedCurve,
 )
+from OCP.gp import gp_Pnt, gp_Vec
 
 from gearstudio.kernel.convert import to_record
 from gearstudio.nurbs import NurbsSurface, basis_matrix
@@ -54,8 +60,8 @@ class Parametric(Protocol):
         ...
 
 
-def parametric(surface: Geom_Surface) -> Parametric | None:
-    """A kernel surface as a function of arrays; None where it is of a kind that is not known here."""
+def parametric(surface: Geom_Surface) -> Parametric:
+    """A kernel surface as a function of arrays."""
     while isinstance(surface, Geom_RectangularTrimmedSurface):
         surface = surface.BasisSurface()
     if isinstance(surface, Geom_BSplineSurface):
@@ -63,7 +69,7 @@ def parametric(surface: Geom_Surface) -> Parametric | None:
     for kind, meridian in _MERIDIANS.items():
         if isinstance(surface, kind):
             return Turned.of(surface, meridian(surface))
-    return Flat.of(surface) if isinstance(surface, Geom_Plane) else None
+    return Flat.of(surface) if isinstance(surface, Geom_Plane) else Evaluated.of(surface)
 
 
 def _opened(surface: Geom_BSplineSurface) -> Geom_BSplineSurface:
@@ -154,7 +160,7 @@ class Turned:
     def of(surface: Geom_ElementarySurface, meridian: Meridian) -> Turned:
         """Of a kernel surface and its meridian."""
         origin, axes = _frame(surface)
-        round_ = isinstance(surface, Geom_SphericalSurface)
+        round_ = isinstance(surface, Geom_SphericalSurface | Geom_ToroidalSurface)
         return Turned(origin, axes, meridian, _EIGHTHS, _EIGHTHS if round_ else np.empty(0))
 
     def at(self, u: Floats, v: Floats) -> Placed:
@@ -182,11 +188,50 @@ def _sphere(surface: Geom_SphericalSurface) -> Meridian:
     return lambda v: (r * np.cos(v), r * np.sin(v), -r * np.sin(v), r * np.cos(v))
 
 
+def _torus(surface: Geom_ToroidalSurface) -> Meridian:
+    major, r = surface.MajorRadius(), surface.MinorRadius()
+    return lambda v: (major + r * np.cos(v), r * np.sin(v), -r * np.sin(v), r * np.cos(v))
+
+
 _MERIDIANS: dict[type, Callable[..., Meridian]] = {
     Geom_CylindricalSurface: _cylinder,
     Geom_ConicalSurface: _cone,
     Geom_SphericalSurface: _sphere,
+    Geom_ToroidalSurface: _torus,
 }
+
+
+@dataclass(frozen=True)
+class Evaluated:
+    """A surface of any other kind, point by point; most often a turned line that a file has as such."""
+
+    surface: Geom_Surface
+    breaks_u: Floats
+    breaks_v: Floats
+    nodes: tuple[int, int] = (_ELEMENTARY_NODES, _ELEMENTARY_NODES)
+
+    @staticmethod
+    def of(surface: Geom_Surface) -> Evaluated:
+        """Of a kernel surface."""
+        straight = isinstance(surface, Geom_SurfaceOfRevolution) and _is_line(surface.BasisCurve())
+        return Evaluated(surface, _EIGHTHS, np.empty(0) if straight else _EIGHTHS)
+
+    def at(self, u: Floats, v: Floats) -> Placed:
+        """See `Parametric.at`."""
+        v = np.broadcast_to(v, (len(u), v.shape[-1]))
+        point, by_u, by_v = gp_Pnt(), gp_Vec(), gp_Vec()
+        found = np.empty((*v.shape, 9))
+        for i, (here, row) in enumerate(zip(u.tolist(), v.tolist(), strict=True)):
+            for j, there in enumerate(row):
+                self.surface.D1(here, there, point, by_u, by_v)
+                found[i, j] = (*point.Coord(), *by_u.Coord(), *by_v.Coord())
+        return found[..., :3], np.cross(found[..., 3:6], found[..., 6:])
+
+
+def _is_line(curve: Geom_Curve) -> bool:
+    while isinstance(curve, Geom_TrimmedCurve):
+        curve = curve.BasisCurve()
+    return isinstance(curve, Geom_Line)
 
 
 def _frame(surface: Geom_ElementarySurface) -> tuple[Floats, Floats]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from functools import cache
 from pathlib import Path
@@ -31,6 +32,7 @@ from gearstudio.nurbs import NurbsSurface
 
 _SCHEMAS = {"ap203": 3, "ap214": 4, "ap242": 5}
 _UNITS = {"mm": "MM", "inch": "INCH"}
+_BARE_MEASURE = re.compile(rb"(=\s*LENGTH_MEASURE_WITH_UNIT)\(\s*([0-9.E+-]+),")
 
 
 def write_flanks_step(
@@ -72,6 +74,7 @@ def write_flanks_step(
     writer.Transfer(document, STEPControl_StepModelType.STEPControl_AsIs)
     if writer.Write(str(path)) != IFSelect_ReturnStatus.IFSelect_RetDone:
         raise FileError(path, "the CAD kernel could not write the STEP file")
+    name_measures(path)
 
 
 def read_flanks_step(path: Path) -> dict[str, NurbsSurface]:
@@ -121,6 +124,14 @@ def choose_step(schema: str, unit: str) -> None:
     """The schema ("ap242", "ap214", "ap203") and unit ("mm", "inch") of the STEP files that are written next."""
     Interface_Static.SetIVal_s("write.step.schema", _SCHEMAS[schema])
     Interface_Static.SetCVal_s("write.step.unit", _UNITS[unit])
+
+
+def name_measures(path: Path) -> None:
+    """Give the factor of a converted unit its type, which a choice among measures needs and the kernel leaves out."""
+    text = path.read_bytes()
+    named = _BARE_MEASURE.sub(rb"\1(LENGTH_MEASURE(\2),", text)
+    if named != text:
+        path.write_bytes(named)
 
 
 def read_name(label: TDF_Label) -> str:

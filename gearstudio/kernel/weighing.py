@@ -17,10 +17,8 @@ import numpy as np
 from numpy.typing import NDArray
 from OCP.BRep import BRep_Tool
 from OCP.BRepAdaptor import BRepAdaptor_Curve2d
-from OCP.BRepGProp import BRepGProp
 from OCP.Geom2d import Geom2d_BSplineCurve, Geom2d_Curve, Geom2d_Line, Geom2d_TrimmedCurve
 from OCP.gp import gp_Pnt2d, gp_Vec2d
-from OCP.GProp import GProp_GProps
 from OCP.TopAbs import TopAbs_Orientation, TopAbs_ShapeEnum
 from OCP.TopExp import TopExp_Explorer
 from OCP.TopoDS import TopoDS, TopoDS_Edge, TopoDS_Face, TopoDS_Shape
@@ -37,7 +35,6 @@ _PARTS_OF_ANY = 16
 _NEWTON_STEPS = 3
 _SAME_PLACE = 1e-9
 _STRAIGHT = 1e-12
-_GPROP_ERROR = 1e-8
 _REVERSED, _FORWARD = TopAbs_Orientation.TopAbs_REVERSED, TopAbs_Orientation.TopAbs_FORWARD
 
 
@@ -98,8 +95,6 @@ def _integrand(points: Floats, normals: Floats) -> Floats:
 def _face_integrals(face: TopoDS_Face) -> Floats:
     """The integrals over a face; the area counts, the others have the sign of the side that looks outward."""
     surface = parametric(BRep_Tool.Surface_s(face))
-    if surface is None:
-        return _by_kernel(face)
     upright = TopoDS.Face(face.Oriented(_FORWARD))
     pieces = [piece for edge in _edges(upright) for piece in _along(edge, upright, surface)]
     if not isinstance(surface, SplinePatch):
@@ -237,16 +232,3 @@ def _gauss(bounds: Floats, count: int) -> tuple[Floats, Floats]:
 def _rule(count: int) -> tuple[Floats, Floats]:
     x, w = np.polynomial.legendre.leggauss(count)
     return (x + 1) / 2, w / 2
-
-
-def _by_kernel(face: TopoDS_Face) -> Floats:
-    """The kernel's own integrals over a face whose surface is of another kind."""
-    volume, area = GProp_GProps(), GProp_GProps()
-    BRepGProp.VolumeProperties_s(face, volume, _GPROP_ERROR, False, False)
-    BRepGProp.SurfaceProperties_s(face, area, _GPROP_ERROR, False)
-    mass, centre, matrix = volume.Mass(), volume.CentreOfMass(), volume.MatrixOfInertia()
-    c = np.array([centre.X(), centre.Y(), centre.Z()])
-    inertia = np.array([[matrix.Value(i, j) for j in (1, 2, 3)] for i in (1, 2, 3)])
-    second = np.trace(inertia) / 2 * np.eye(3) - inertia + mass * np.outer(c, c)
-    moments = [second[i, j] for i, j in ((0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (2, 0))]
-    return np.array([mass, area.Mass(), *(mass * c), *moments])

@@ -18,7 +18,7 @@ from gearstudio.errors import FileError
 from gearstudio.formats import ExportOptions
 from gearstudio.kernel.cutting import compound
 from gearstudio.kernel.document import Part, located, make_document
-from gearstudio.kernel.step import choose_step, settle
+from gearstudio.kernel.step import choose_step, name_measures, settle
 
 _UNITS = {"mm": "MM", "inch": "INCH"}
 _IGES_BODIES = {"surfaces": 0, "solid": 1}
@@ -54,7 +54,10 @@ def _write_step(path: Path, name: str, made: Sequence[Part], options: ExportOpti
     writer.SetNameMode(options.names)
     writer.SetColorMode(options.colors)
     writer.Transfer(make_document(name, made, options.names), STEPControl_StepModelType.STEPControl_AsIs)
-    return bool(writer.Write(str(path)) == IFSelect_ReturnStatus.IFSelect_RetDone)
+    if writer.Write(str(path)) != IFSelect_ReturnStatus.IFSelect_RetDone:
+        return False
+    name_measures(path)
+    return True
 
 
 def _write_iges(path: Path, name: str, made: Sequence[Part], options: ExportOptions) -> bool:
