@@ -116,6 +116,13 @@ class FlankMesh:
             np.pi / wheel.teeth - wheel.half_tooth_azimuth - pinion.half_tooth_azimuth * pinion.teeth / wheel.teeth
         )
 
+    @cached_property
+    def _start(self) -> float:
+        """Half the wheel's tooth space where its flank meets the base cone [rad]."""
+        wheel = self.wheel
+        pitch_beta = float(involute_azimuth(wheel.pitch_angle, wheel.base_angle))
+        return np.pi / wheel.teeth - wheel.half_tooth_azimuth - pitch_beta
+
     @property
     def misaligned(self) -> bool:
         """Whether the pinion stands anywhere but in its place."""
@@ -149,9 +156,7 @@ class FlankMesh:
         lag = np.arctan2(y * lean - x * q, x * lean + y * q)
         lag += np.arctan2(q, z) / sin_b
         lag -= side * wheel.lengthwise.azimuth(rho)
-        ratio = self.pair.pinion.teeth / wheel.teeth
-        pitch_beta = float(involute_azimuth(wheel.pitch_angle, wheel.base_angle))
-        lag += side * ratio * np.asarray(turn) + (np.pi / wheel.teeth - wheel.half_tooth_azimuth - pitch_beta)
+        lag += side * self.pair.pinion.teeth / wheel.teeth * np.asarray(turn) + self._start
         radius, relief = np.sqrt(square), relief_on(wheel, side)
         if relief is not None:
             lag += relief.value(rho, np.arctan2(radius, z)) / self.lever(rho)

@@ -109,6 +109,11 @@ class Lengthwise:
 
     def azimuth(self, rho: ArrayLike) -> Floats:
         """theta(rho) = hand psi_t / sin(delta) [rad]."""
+        rho = np.asarray(rho, dtype=np.float64)
+        if self.law == "circular_arc" and rho.size:
+            near, far = self.reach
+            if near <= rho.min() and rho.max() <= far:
+                return self._turn * (self._arc_polar(np.asarray(self.mean_cone_distance)) - self._arc_polar(rho))
         return self._turn * self.trace(rho)[0]
 
     def azimuth_derivatives(self, rho: ArrayLike) -> tuple[Floats, Floats, Floats]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -46,6 +47,7 @@ def patterns(pair: PairGeometry, side: FlankContact) -> tuple[PatternMap, Patter
     )
 
 
+@lru_cache(maxsize=16)
 def flank_edge(member: MemberGeometry, name: FlankName) -> Floats:
     """The border of a flank drawn flat, shape (n, 2)."""
     grid = flank_of(member, name).points(*np.ix_(np.linspace(0, 1, 9), np.linspace(0, 1, 25)))

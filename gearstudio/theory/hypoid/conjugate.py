@@ -17,7 +17,7 @@ from gearstudio.theory.hypoid.edge import StartOfContact, start_of_contact
 from gearstudio.theory.hypoid.envelope import Envelope
 from gearstudio.theory.hypoid.inverse import Guess, generating_point
 from gearstudio.theory.hypoid.pair import HypoidPair
-from gearstudio.theory.hypoid.second import derivatives
+from gearstudio.theory.hypoid.second import derivatives, principal_curvatures
 from gearstudio.theory.vectors import dot, quarter, spherical
 
 Floats = NDArray[np.float64]
@@ -41,7 +41,7 @@ class ConjugateFlank:
     Attributes
     ----------
     member : MemberGeometry
-        The pinion; its base cone is that of the reference `swept`, not of this flank.
+        The pinion; its base cone is that of the reference `swept`.
     side : {+1, -1}
     envelope : Envelope
     raised : float
@@ -104,14 +104,14 @@ class ConjugateFlank:
         return self.at(*self.coordinates(u, v))
 
     def normals(self, u: ArrayLike, v: ArrayLike) -> Floats:
-        """Unit normals pointing out of the tooth's metal, shape (..., 3)."""
+        """Unit normals out of the metal, shape (..., 3)."""
         return self.normals_at(*self.coordinates(u, v))
 
     def along(self, share: ArrayLike) -> Floats:
         """Places v at which shares in [0, 1] divide the face for an interpolation, as on the wheel."""
-        wheel = self.envelope.wheel.member
-        low, high = wheel.inner_cone_distance, wheel.outer_cone_distance
-        return np.asarray((wheel.lengthwise.divided(low, high, share) - low) / (high - low))
+        m = self.envelope.wheel.member
+        rho_u = m.lengthwise.divided(m.inner_cone_distance, m.outer_cone_distance, share)
+        return np.asarray((rho_u - m.inner_cone_distance) / m.face_width)
 
     def evenly_divided(self, n_u: int, n_v: int) -> Floats:
         """Points of the working flank at evenly spaced polar angles and places along the face, (n_u, n_v, 3)."""
@@ -157,13 +157,9 @@ class ConjugateFlank:
     def curvatures_at(self, psi: ArrayLike, rho: ArrayLike, /) -> tuple[Floats, Floats]:
         """Principal curvatures in closed form, the larger first, positive where convex [1/mm], (...) each."""
         p = self.envelope.at(psi, rho)
-        E, F, G = dot(p.by_psi, p.by_psi), dot(p.by_psi, p.by_rho), dot(p.by_rho, p.by_rho)
-        L, N = dot(p.normal_by_psi, p.by_psi), dot(p.normal_by_rho, p.by_rho)
-        M = (dot(p.normal_by_psi, p.by_rho) + dot(p.normal_by_rho, p.by_psi)) / 2
-        square = E * G - F * F
-        mean, gaussian = (E * N - 2 * F * M + G * L) / (2 * square), (L * N - M * M) / square
-        spread = np.sqrt(np.maximum(mean**2 - gaussian, 0.0))
-        return mean + spread, mean - spread
+        mixed = (dot(p.normal_by_psi, p.by_rho) + dot(p.normal_by_rho, p.by_psi)) / 2
+        bent = dot(p.normal_by_psi, p.by_psi), mixed, dot(p.normal_by_rho, p.by_rho)
+        return principal_curvatures(p.by_psi, p.by_rho, bent)
 
     def locate(self, points: ArrayLike) -> tuple[Floats, Floats, Floats]:
         """Spherical coordinates rho [mm], delta_k [rad], phi [rad] about the pinion's pitch apex, (...) each."""
@@ -171,8 +167,7 @@ class ConjugateFlank:
 
     def natural(self, points: ArrayLike) -> tuple[Floats, Floats]:
         """Natural coordinates of the flank at points on or near it, (...) each."""
-        rho, delta, _ = self.locate(points)
-        return self.natural_at(rho, delta)
+        return self.natural_at(*self.locate(points)[:2])
 
     def natural_at(self, rho: ArrayLike, polar_angle: ArrayLike) -> tuple[Floats, Floats]:
         """Natural coordinates at places on the flank, or of the nearest one not far beyond its edges, (...) each."""
@@ -252,7 +247,7 @@ class ConjugateFlank:
         v, u = (nodes.ravel() for nodes in Guess.places())
         low, high = self.limits(v)
         delta = low + u * (high - low)
-        rho, m = self.member.cone_distance(self._end_distance(v), delta), self.member
+        m, rho = self.member, self.member.cone_distance(self._end_distance(v), delta)
         try:
             found = generating_point(self.envelope, rho, delta, m.lengthwise.mean_cone_distance, m.pitch_angle)
         except GeometryError:
@@ -291,13 +286,16 @@ def wheel_flank(pair: HypoidPair, name: FlankName) -> InvoluteFlank:
 
 @lru_cache(maxsize=_KEPT)
 def _shape(pair: HypoidPair, name: FlankName, raised: float) -> ConjugateFlank:
-    """The flank of a pair; of those that differ in thickness and fillets alone one has the tables of all."""
+    """The flank that has the tables of all that differ from it in thickness and fillets alone."""
+    return _made(pair, name, raised)
+
+
+def _made(pair: HypoidPair, name: FlankName, raised: float) -> ConjugateFlank:
     side = pair.side("pinion", name)
     return ConjugateFlank(pair.member("pinion", name), side, envelope(pair, side), raised)
 
 
 def pinion_flank(pair: HypoidPair, name: FlankName, raised: float = 0.0) -> ConjugateFlank:
     """The pinion's conjugate flank, not looked at for undercut: `soundness.sound_pinion_flank` refuses that."""
-    side, bare = pair.side("pinion", name), replace(pair, given=replace(pair.given, backlash=0.0, fillet_factor=0.0))
-    flank = ConjugateFlank(pair.member("pinion", name), side, envelope(pair, side), raised)
-    return replace(flank, alike=_shape(bare, name, raised))
+    bare = replace(pair, given=replace(pair.given, backlash=0.0, fillet_factor=0.0))
+    return replace(_made(pair, name, raised), alike=_shape(bare, name, raised))

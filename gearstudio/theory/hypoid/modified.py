@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from gearstudio.theory.hypoid.conjugate import ConjugateFlank
 from gearstudio.theory.hypoid.envelope import PinionPoint
-from gearstudio.theory.hypoid.second import derivatives
+from gearstudio.theory.hypoid.second import derivatives, principal_curvatures
 from gearstudio.theory.relief import FlankRelief
 from gearstudio.theory.vectors import cross, dot, quarter, turned, unit
 
@@ -69,12 +69,7 @@ class ModifiedConjugate(ConjugateFlank):
         """Principal curvatures, the larger first, positive where convex [1/mm], (...) each."""
         a, b, aa, ab, bb = self.derivatives_at(psi, rho)
         normal = self.normals_at(psi, rho)
-        E, F, G = dot(a, a), dot(a, b), dot(b, b)
-        L, M, N = -dot(aa, normal), -dot(ab, normal), -dot(bb, normal)
-        square = E * G - F * F
-        mean, gaussian = (E * N - 2 * F * M + G * L) / (2 * square), (L * N - M * M) / square
-        spread = np.sqrt(np.maximum(mean**2 - gaussian, 0.0))
-        return mean + spread, mean - spread
+        return principal_curvatures(a, b, (-dot(aa, normal), -dot(ab, normal), -dot(bb, normal)))
 
     def _surface(self, psi: Floats, rho: Floats) -> tuple[Floats, Floats]:
         made = self.envelope.at(psi, rho)
