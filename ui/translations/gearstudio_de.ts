@@ -44,6 +44,10 @@
    <translation>&amp;Kopieren</translation>
   </message>
   <message>
+   <source>&amp;Copy picture and numbers</source>
+   <translation>Bild und Zahlen &amp;kopieren</translation>
+  </message>
+  <message>
    <source>&amp;Differences only</source>
    <translation>Nur &amp;Unterschiede</translation>
   </message>
@@ -180,6 +184,14 @@
    <translation>PDF &amp;speichern…</translation>
   </message>
   <message>
+   <source>&amp;Save…</source>
+   <translation>&amp;Speichern…</translation>
+  </message>
+  <message>
+   <source>&amp;Show equation</source>
+   <translation>Gl&amp;eichung zeigen</translation>
+  </message>
+  <message>
    <source>&amp;Stop</source>
    <translation>&amp;Anhalten</translation>
   </message>
@@ -212,8 +224,16 @@
    <translation>&amp;Ansicht</translation>
   </message>
   <message>
+   <source>&amp;View all</source>
+   <translation>Alles &amp;zeigen</translation>
+  </message>
+  <message>
    <source>&amp;What is this?</source>
    <translation>&amp;Was ist das?</translation>
+  </message>
+  <message>
+   <source>, offset {offset} mm</source>
+   <translation>, Achsversatz {offset} mm</translation>
   </message>
   <message>
    <source>1 problem</source>
@@ -308,12 +328,20 @@
    <translation>Eine NURBS-Fläche durch einzelne Punkte auf U- und V-Linien</translation>
   </message>
   <message>
-   <source>A circle on the sphere, tangent to root and flank (or to the meridian below the base cone); it scales with ρ.</source>
-   <translation>Ein Kreis auf der Kugel, tangential an Fuß und Flanke (unter dem Grundkegel an den Meridian); er wächst mit ρ.</translation>
+   <source>A circle on the sphere, tangent to root and flank (or to the meridian below the base cone); it scales with ρ. The paper's factor f is 0.3.</source>
+   <translation>Ein Kreis auf der Kugel, tangential an Fuß und Flanke (unter dem Grundkegel an den Meridian); er wächst mit ρ. Der Faktor f der Arbeit ist 0,3.</translation>
   </message>
   <message>
    <source>A click shows this method and variant; Ctrl+C copies the rows chosen</source>
    <translation>Ein Klick zeigt Methode und Variante; Strg+C kopiert die gewählten Zeilen</translation>
+  </message>
+  <message>
+   <source>A cube too, from where it ends down to the flank's lower edge; a_r is the share of the depth there.</source>
+   <translation>Ebenfalls eine dritte Potenz, von ihrem Ende hinab zum unteren Rand der Flanke; a_r ist der Anteil der Höhe dort.</translation>
+  </message>
+  <message>
+   <source>A cube, so that slope and curvature have no kink where it starts; a_t is the share of the depth there.</source>
+   <translation>Eine dritte Potenz, damit Steigung und Krümmung am Beginn keinen Knick haben; a_t ist der Anteil der Höhe dort.</translation>
   </message>
   <message>
    <source>A few letters are enough; Up and Down choose, Enter carries out</source>
@@ -328,16 +356,24 @@
    <translation>Druckfehler unter der Wurzel: das rechtwinklige Kugeldreieck gibt cos²δ.</translation>
   </message>
   <message>
-   <source>A new language is spoken from the next window on; File ▸ New window opens one.</source>
-   <translation>Eine neue Sprache gilt ab dem nächsten Fenster; Datei ▸ Neues Fenster öffnet eines.</translation>
-  </message>
-  <message>
-   <source>A number above 0, at most {most:g} kg/m³</source>
-   <translation>Eine Zahl über 0, höchstens {most:g} kg/m³</translation>
+   <source>A number above 0, at most {most}</source>
+   <translation>Eine Zahl über 0, höchstens {most}</translation>
   </message>
   <message>
    <source>A part of GearStudio could not be loaded: {text}</source>
    <translation>Ein Teil von GearStudio konnte nicht geladen werden: {text}</translation>
+  </message>
+  <message>
+   <source>A picture is missing: {reason}</source>
+   <translation>Ein Bild fehlt: {reason}</translation>
+  </message>
+  <message>
+   <source>A point is turned about the axis by as much as moves it by e along the flank's normal: the flank stays explicit in azimuth. The methods build this flank, and deviation is from it.</source>
+   <translation>Ein Punkt wird so weit um die Achse gedreht, dass er sich um e entlang der Flankennormalen verschiebt: die Flanke bleibt explizit im Azimut. Die Methoden bauen diese Flanke, und die Abweichung zählt von ihr aus.</translation>
+  </message>
+  <message>
+   <source>A point of the wheel's flank touches the pinion where its normal stands square to the relative velocity. That is linear in the cosine and the sine of its azimuth Φ: the envelope has a closed form.</source>
+   <translation>Ein Punkt der Radflanke berührt das Ritzel, wo seine Normale rechtwinklig zur Relativgeschwindigkeit steht. Das ist linear in Kosinus und Sinus seines Azimuts Φ: die Einhüllende hat eine geschlossene Form.</translation>
   </message>
   <message>
    <source>A ratio that changes with n cannot be the count of points.</source>
@@ -356,12 +392,20 @@
    <translation>Eine runde Länge; in Perspektive gilt sie in der Mitte</translation>
   </message>
   <message>
+   <source>A section at ρ is turned by θ(ρ). ψ_t is the tooth trace's polar angle in the developed pitch plane, 0 at the mean point: of an Archimedean spiral, of the cutter's arc or of a logarithmic spiral. The hand is +1 for a right-hand spiral; the mate has the other.</source>
+   <translation>Ein Schnitt bei ρ ist um θ(ρ) gedreht. ψ_t ist der Polarwinkel der Flankenlinie in der abgewickelten Teilebene, 0 im Mittelpunkt: einer archimedischen Spirale, des Messerkopfbogens oder einer logarithmischen Spirale. Die Spiralrichtung „hand“ ist +1 für rechtssteigend; das Gegenrad hat die andere.</translation>
+  </message>
+  <message>
+   <source>A square marks a corner or the middle of an edge near by; a click takes that point</source>
+   <translation>Ein Quadrat zeigt eine Ecke oder Kantenmitte in der Nähe; ein Klick nimmt diesen Punkt</translation>
+  </message>
+  <message>
    <source>A turned copy is the same flank of another tooth.</source>
    <translation>Eine gedrehte Kopie ist dieselbe Flanke eines anderen Zahns.</translation>
   </message>
   <message>
-   <source>A value with another unit can always be typed: 3in, 76.2mm. Deviations stay in µm and nm.</source>
-   <translation>Ein Wert mit anderer Einheit geht immer: 3in, 76,2mm. Abweichungen bleiben in µm und nm.</translation>
+   <source>A value with another unit can always be typed: 3in, 76.2mm.</source>
+   <translation>Ein Wert in einer anderen Einheit kann immer getippt werden: 3in, 76.2mm.</translation>
   </message>
   <message>
    <source>AP203</source>
@@ -456,12 +500,20 @@
    <translation>Alle drei</translation>
   </message>
   <message>
+   <source>Along the axis, from the largest corner of the tip. t_z is how far the pitch apex lies beyond the crossing point; 0 without an offset.</source>
+   <translation>Entlang der Achse, von der größten Kopfkante. t_z ist, wie weit die Teilkegelspitze über dem Kreuzungspunkt liegt; 0 ohne Achsversatz.</translation>
+  </message>
+  <message>
    <source>Along the face</source>
    <translation>Entlang der Breite</translation>
   </message>
   <message>
    <source>Along the face, at half the depth of the flank</source>
    <translation>Entlang der Breite, in halber Flankenhöhe</translation>
+  </message>
+  <message>
+   <source>Along the pitch circle at the heel; in the normal section at the mean point; the chord of that, which a gear tooth caliper measures.</source>
+   <translation>Auf dem Teilkreis an der Ferse; im Normalschnitt im Mittelpunkt; dessen Sehne, die ein Zahndickenmessschieber misst.</translation>
   </message>
   <message>
    <source>Along the profile</source>
@@ -520,6 +572,10 @@
    <translation>Fläche</translation>
   </message>
   <message>
+   <source>Area of the pinion's flank over that of the wheel's which generates it; 0 is a cusp, less than 0 undercut. The numbers are the smallest of both flanks, and where.</source>
+   <translation>Fläche der Ritzelflanke durch die der Radflanke, die sie erzeugt; 0 ist eine Rückkehrkante, unter 0 ist Unterschnitt. Die Zahlen sind die kleinsten beider Flanken und ihr Ort.</translation>
+  </message>
+  <message>
    <source>Arrows along the normals of the CAD flanks</source>
    <translation>Pfeile entlang der Normalen der CAD-Flanken</translation>
   </message>
@@ -552,6 +608,10 @@
    <translation>Wie das Schema</translation>
   </message>
   <message>
+   <source>As they are computed, in the order of the theory; beside a bar what the paper prints where that differs.</source>
+   <translation>So, wie sie gerechnet werden, in der Reihenfolge der Theorie; neben einem Balken steht, was die Veröffentlichung druckt, wo das abweicht.</translation>
+  </message>
+  <message>
    <source>As {format}</source>
    <translation>Als {format}</translation>
   </message>
@@ -562,6 +622,18 @@
   <message>
    <source>Assign</source>
    <translation>Zuweisen</translation>
+  </message>
+  <message>
+   <source>At a cone distance R'; θ_a and θ_f lie between pitch cone and face cone, and pitch cone and root cone.</source>
+   <translation>Bei einer Kegellänge R'; θ_a und θ_f liegen zwischen Teil- und Kopfkegel, und zwischen Teil- und Fußkegel.</translation>
+  </message>
+  <message>
+   <source>At the heel, square to the pitch cone; the profile shift x is the pinion's, the wheel has its negative.</source>
+   <translation>An der Ferse, rechtwinklig zum Teilkegel; die Profilverschiebung x ist die des Ritzels, das Rad hat die entgegengesetzte.</translation>
+  </message>
+  <message>
+   <source>At the mean point. With the outer module as depth system of a pair with an offset the factors are those that give the depths of the module at the wheel's heel.</source>
+   <translation>Im Mittelpunkt. Mit dem Außenmodul als Zahnhöhensystem eines Paars mit Achsversatz sind es die Faktoren, die an der Ferse des Rads die Zahnhöhen aus dem Modul ergeben.</translation>
   </message>
   <message>
    <source>Auto</source>
@@ -708,6 +780,10 @@
    <translation>Radkörper: {member}</translation>
   </message>
   <message>
+   <source>Blanks</source>
+   <translation>Radkörper</translation>
+  </message>
+  <message>
    <source>Blue – orange</source>
    <translation>Blau – Orange</translation>
   </message>
@@ -717,11 +793,15 @@
   </message>
   <message>
    <source>Bore diameter</source>
-   <translation>Bohrungsdurchmesser</translation>
+   <translation>Bohrungs-Ø</translation>
   </message>
   <message>
    <source>Both are the same.</source>
    <translation>Beide sind gleich.</translation>
+  </message>
+  <message>
+   <source>Both cones touch at the mean point; ζ_m is the offset angle about the wheel's axis, ζ_mp that in the pitch plane. One number is left free, which the limit radius closes.</source>
+   <translation>Beide Kegel berühren sich im Mittelpunkt; ζ_m ist der Versatzwinkel um die Radachse, ζ_mp der in der Teilebene. Eine Zahl bleibt frei; der Grenzradius legt sie fest.</translation>
   </message>
   <message>
    <source>Both flanks as the method made them, in one colour</source>
@@ -730,6 +810,10 @@
   <message>
    <source>Both members</source>
    <translation>Beide Räder</translation>
+  </message>
+  <message>
+   <source>Both members have the same normal module, but not the same transverse one.</source>
+   <translation>Beide Räder haben denselben Normalmodul, aber nicht denselben Stirnmodul.</translation>
   </message>
   <message>
    <source>Brass</source>
@@ -854,6 +938,14 @@
   <message>
    <source>Cast iron</source>
    <translation>Gusseisen</translation>
+  </message>
+  <message>
+   <source>Centre along face</source>
+   <translation>Mitte längs der Breite</translation>
+  </message>
+  <message>
+   <source>Centre on profile</source>
+   <translation>Mitte im Profil</translation>
   </message>
   <message>
    <source>Centre z</source>
@@ -1133,7 +1225,11 @@
   </message>
   <message>
    <source>Constant clearance</source>
-   <translation>Gleichbleibendes Kopfspiel</translation>
+   <translation>Konstantes Kopfspiel</translation>
+  </message>
+  <message>
+   <source>Constant slot width</source>
+   <translation>Gleichbleibende Lückenweite</translation>
   </message>
   <message>
    <source>Construction</source>
@@ -1152,6 +1248,10 @@
    <translation>Tragbild und Drehwegabweichung, mit Einbaufehlern</translation>
   </message>
   <message>
+   <source>Contact pattern on both members.</source>
+   <translation>Tragbild auf beiden Rädern.</translation>
+  </message>
+  <message>
    <source>Contact pattern, ease-off and transmission error, drive and coast</source>
    <translation>Tragbild, Ease-off und Drehwegabweichung, Zug und Schub</translation>
   </message>
@@ -1162,6 +1262,10 @@
   <message>
    <source>Contact ratios</source>
    <translation>Überdeckungen</translation>
+  </message>
+  <message>
+   <source>Contact ratios with an offset</source>
+   <translation>Überdeckungen mit Achsversatz</translation>
   </message>
   <message>
    <source>Contour lines</source>
@@ -1204,6 +1308,14 @@
    <translation>Datenblatt als {format} kopiert</translation>
   </message>
   <message>
+   <source>Copied the numbers of the chart; paste them into a spreadsheet</source>
+   <translation>Zahlen des Diagramms kopiert; in eine Tabellenkalkulation einfügen</translation>
+  </message>
+  <message>
+   <source>Copied the picture of the chart</source>
+   <translation>Bild des Diagramms kopiert</translation>
+  </message>
+  <message>
    <source>Copied; paste it into a spreadsheet</source>
    <translation>Kopiert; in eine Tabellenkalkulation einfügen</translation>
   </message>
@@ -1222,6 +1334,14 @@
   <message>
    <source>Copy &amp;diagnostics</source>
    <translation>&amp;Diagnose kopieren</translation>
+  </message>
+  <message>
+   <source>Copy &amp;numbers</source>
+   <translation>Za&amp;hlen kopieren</translation>
+  </message>
+  <message>
+   <source>Copy &amp;picture</source>
+   <translation>&amp;Bild kopieren</translation>
   </message>
   <message>
    <source>Copy &amp;table</source>
@@ -1348,6 +1468,10 @@
    <translation>Messerkopfradius</translation>
   </message>
   <message>
+   <source>D is the drive flank, concave on the pinion and convex on the wheel; C is the coast flank. Each flank of the wheel is a spherical involute on a base cone of its own.</source>
+   <translation>D ist die Zugflanke, am Ritzel konkav und am Rad konvex; C ist die Schubflanke. Jede Flanke des Rads ist eine Kugelevolvente auf einem eigenen Grundkegel.</translation>
+  </message>
+  <message>
    <source>Dark</source>
    <translation>Dunkel</translation>
   </message>
@@ -1408,12 +1532,16 @@
    <translation>Punktdichte</translation>
   </message>
   <message>
-   <source>Density of the material in kg/m³</source>
-   <translation>Dichte des Werkstoffs in kg/m³</translation>
+   <source>Density of the material in {unit}</source>
+   <translation>Dichte des Werkstoffs in {unit}</translation>
   </message>
   <message>
    <source>Depth</source>
    <translation>Zahnhöhe</translation>
+  </message>
+  <message>
+   <source>Depth after ISO 23509</source>
+   <translation>Zahnhöhe nach ISO 23509</translation>
   </message>
   <message>
    <source>Depth factor</source>
@@ -1426,6 +1554,14 @@
   <message>
    <source>Depths</source>
    <translation>Zahnhöhen</translation>
+  </message>
+  <message>
+   <source>Depths along the tooth</source>
+   <translation>Zahnhöhen entlang des Zahns</translation>
+  </message>
+  <message>
+   <source>Depths from the module</source>
+   <translation>Zahnhöhen aus dem Modul</translation>
   </message>
   <message>
    <source>Derived values</source>
@@ -1500,6 +1636,10 @@
    <translation>Abweichung eines Punkts</translation>
   </message>
   <message>
+   <source>Deviation of the CAD surface from the exact flank in µm, normal to it, over both flanks on a grid of 49 × 49 points that includes the edges. The paper states means of {means} µm for its own gear, whose data it does not print.</source>
+   <translation>Abweichung der CAD-Fläche von der exakten Flanke in µm, senkrecht zu ihr, über beide Flanken auf einem Gitter von 49 × 49 Punkten mit den Rändern. Die Veröffentlichung nennt Mittelwerte von {means} µm für ihr eigenes Rad, dessen Daten sie nicht druckt.</translation>
+  </message>
+  <message>
    <source>Deviation, absolute</source>
    <translation>Abweichung, Betrag</translation>
   </message>
@@ -1508,8 +1648,16 @@
    <translation>Abweichung, {kind}</translation>
   </message>
   <message>
+   <source>Deviations are normal to the flank, plus is metal added. Errors are those of all teeth of a flank together: of the spiral angle from toe to heel, of the pressure angle from root to tip, crowning as the height of the middle above the ends, the pitch as an arc of the mean pitch circle.</source>
+   <translation>Abweichungen stehen senkrecht auf der Flanke, plus bedeutet mehr Werkstoff. Die Fehler gelten für alle Zähne einer Flanke zusammen: der des Spiralwinkels von der Zehe zur Ferse, der des Eingriffswinkels vom Fuß zum Kopf, Balligkeit als Höhe der Mitte über den Enden, die Teilung als Bogen des mittleren Teilkreises.</translation>
+  </message>
+  <message>
    <source>Deviations of all methods and variants, as a table and along the flank</source>
    <translation>Abweichungen aller Methoden und Varianten, als Tabelle und entlang der Flanke</translation>
+  </message>
+  <message>
+   <source>Deviations stay in µm and nm; the colour scale of the views has µin as well.</source>
+   <translation>Abweichungen bleiben in µm und nm; die Farbskala der Ansichten hat auch µin.</translation>
   </message>
   <message>
    <source>Diameter of a solid shank behind the back face, 0 for none; it replaces the bore.</source>
@@ -1592,6 +1740,22 @@
    <translation>Zurückgenommenes wiederholen</translation>
   </message>
   <message>
+   <source>Does not hold for this pair, which has an offset or a depth after ISO 23509.</source>
+   <translation>Gilt nicht für dieses Paar, das einen Achsversatz oder eine Zahnhöhe nach ISO 23509 hat.</translation>
+  </message>
+  <message>
+   <source>Does not hold for this pair, which has no offset and depths from the module.</source>
+   <translation>Gilt nicht für dieses Paar, das keinen Achsversatz und Zahnhöhen aus dem Modul hat.</translation>
+  </message>
+  <message>
+   <source>Does not hold for this pair, which has no offset.</source>
+   <translation>Gilt nicht für dieses Paar, das keinen Achsversatz hat.</translation>
+  </message>
+  <message>
+   <source>Does not hold for this pair, whose axes have an offset.</source>
+   <translation>Gilt nicht für dieses Paar, dessen Achsen versetzt sind.</translation>
+  </message>
+  <message>
    <source>Done again: {step}</source>
    <translation>Wiederholt: {step}</translation>
   </message>
@@ -1602,6 +1766,14 @@
   <message>
    <source>Drag turns, the wheel zooms, a double click centres. Point at a flank to read its deviation there.</source>
    <translation>Ziehen dreht, das Rad zoomt, ein Doppelklick zentriert. Auf eine Flanke zeigen liest dort die Abweichung ab.</translation>
+  </message>
+  <message>
+   <source>Draw deviations so many times as large, along the normal</source>
+   <translation>Abweichungen so vielfach längs der Normalen zeichnen</translation>
+  </message>
+  <message>
+   <source>Draw the CAD flanks with their deviation so many times as large, along the normal</source>
+   <translation>Die CAD-Flanken mit so vielfacher Abweichung längs der Normalen zeichnen</translation>
   </message>
   <message>
    <source>Draw the edges of the faces</source>
@@ -1624,12 +1796,20 @@
    <translation>E  Versatz</translation>
   </message>
   <message>
+   <source>Each point P of the pinion, taken to the wheel, needs a turn q to touch. The smallest is the transmission error; what is left of the others is the gap g. Contact is where g is less than the marking compound's thickness.</source>
+   <translation>Jeder Punkt P des Ritzels braucht, zum Rad gebracht, eine Drehung q bis zur Berührung. Die kleinste ist die Drehwegabweichung; was von den anderen bleibt, ist der Spalt g. Berührung ist, wo g kleiner als die Dicke der Tuschierpaste ist.</translation>
+  </message>
+  <message>
    <source>Each save leaves a copy. Going back changes no file until you save, and can be undone.</source>
    <translation>Jedes Speichern legt eine Kopie an. Zurückkehren ändert keine Datei, bis Sie speichern, und lässt sich rückgängig machen.</translation>
   </message>
   <message>
    <source>Ease-off</source>
    <translation>Ease-off</translation>
+  </message>
+  <message>
+   <source>Ease-off over the pinion's flanks; white throughout where the flanks are exactly conjugate.</source>
+   <translation>Ease-off über den Flanken des Ritzels; durchweg weiß, wo die Flanken genau konjugiert sind.</translation>
   </message>
   <message>
    <source>Edges</source>
@@ -1652,6 +1832,10 @@
    <translation>Endfase</translation>
   </message>
   <message>
+   <source>End of the scale</source>
+   <translation>Ende der Skala</translation>
+  </message>
+  <message>
    <source>End the CAD process and start a new one</source>
    <translation>Den CAD-Prozess beenden und neu starten</translation>
   </message>
@@ -1672,6 +1856,10 @@
    <translation>Gleichungen</translation>
   </message>
   <message>
+   <source>Error</source>
+   <translation>Fehler</translation>
+  </message>
+  <message>
    <source>Errors</source>
    <translation>Fehler</translation>
   </message>
@@ -1688,6 +1876,10 @@
    <translation>Esc</translation>
   </message>
   <message>
+   <source>Even in the distance and in the polar angle; δ₀ is the flank's lower edge, on the root cone or the base cone. With an offset the pinion's flank begins at the start of contact.</source>
+   <translation>Gleichmäßig im Abstand und im Polarwinkel; δ₀ ist der untere Rand der Flanke, am Fuß- oder am Grundkegel. Mit Achsversatz beginnt die Flanke des Ritzels am Beginn der Berührung.</translation>
+  </message>
+  <message>
    <source>Evenly divided; by arc length or denser at the ends on request.</source>
    <translation>Gleichmäßig geteilt; auf Wunsch nach Bogenlänge oder an den Enden dichter.</translation>
   </message>
@@ -1696,16 +1888,24 @@
    <translation>Jedes Feld des Entwurfs mit Zeichen, Wert und Einheit</translation>
   </message>
   <message>
+   <source>Every file was read back after it was written, and held against the exact geometry.</source>
+   <translation>Jede Datei wurde nach dem Schreiben zurückgelesen und mit der exakten Geometrie verglichen.</translation>
+  </message>
+  <message>
    <source>Every formula, what the paper prints, and this design's numbers</source>
    <translation>Jede Formel, was die Arbeit druckt, und die Zahlen dieses Entwurfs</translation>
   </message>
   <message>
-   <source>Every value of the pair. Change one and everything follows; a problem is told at its field. Shift+F1 explains a field.</source>
-   <translation>Jeder Wert des Paars. Eine Änderung zieht alles nach; ein Problem steht an seinem Feld. Umschalt+F1 erklärt ein Feld.</translation>
+   <source>Every method built with more and more positions, sections or points, and nothing else refined.</source>
+   <translation>Jede Methode mit immer mehr Lagen, Schnitten oder Punkten gebaut; sonst wurde nichts verfeinert.</translation>
   </message>
   <message>
    <source>Every value of the pair; a row explains itself</source>
    <translation>Jeder Wert des Paars; eine Zeile erklärt sich selbst</translation>
+  </message>
+  <message>
+   <source>Every value of the pair; an offset makes it hypoid. Change one and everything follows, or its problem is told at its field. Shift+F1 explains a field, Ctrl+F1 shows its equation.</source>
+   <translation>Jeder Wert des Paars; ein Achsversatz macht es hypoid. Eine Änderung zieht alles nach, oder ihr Problem steht an ihrem Feld. Umschalt+F1 erklärt ein Feld, Strg+F1 zeigt seine Gleichung.</translation>
   </message>
   <message>
    <source>Everything</source>
@@ -1714,6 +1914,10 @@
   <message>
    <source>Everything else works: parameters, comparison, charts, data sheets and exports.</source>
    <translation>Alles andere geht: Parameter, Vergleich, Diagramme, Datenblätter und Exporte.</translation>
+  </message>
+  <message>
+   <source>Exaggerate</source>
+   <translation>Überhöhung</translation>
   </message>
   <message>
    <source>Expand the analysis</source>
@@ -1740,12 +1944,24 @@
    <translation>Kopf- und Fußkegelwinkel</translation>
   </message>
   <message>
+   <source>Face and root cone of the pinion</source>
+   <translation>Kopf- und Fußkegel des Ritzels</translation>
+  </message>
+  <message>
    <source>Face angle</source>
    <translation>Kopfkegelwinkel</translation>
   </message>
   <message>
    <source>Face apex beyond crossing point</source>
    <translation>Kopfkegelspitze über dem Achsschnittpunkt</translation>
+  </message>
+  <message>
+   <source>Face cone at constant clearance</source>
+   <translation>Kopfkegel bei gleichbleibendem Kopfspiel</translation>
+  </message>
+  <message>
+   <source>Face farthest from theory</source>
+   <translation>Fläche mit der größten Abweichung</translation>
   </message>
   <message>
    <source>Face width</source>
@@ -1768,8 +1984,8 @@
    <translation>Breite Mittelpunkt bis Zehe</translation>
   </message>
   <message>
-   <source>Face width over outer cone distance; a face width in mm wins over it.</source>
-   <translation>Zahnbreite durch äußere Teilkegellänge; eine Zahnbreite in mm hat Vorrang.</translation>
+   <source>Face width over outer cone distance; a face width that is given wins over it.</source>
+   <translation>Zahnbreite durch äußere Teilkegellänge; eine angegebene Zahnbreite hat Vorrang.</translation>
   </message>
   <message>
    <source>Faces</source>
@@ -1780,12 +1996,20 @@
    <translation>Flächen zu einer Hülle verbunden, oder Zahnlücken durch Boolesche Operationen geschnitten</translation>
   </message>
   <message>
+   <source>Field</source>
+   <translation>Feld</translation>
+  </message>
+  <message>
    <source>Fields that differ from their defaults; the context menu resets the group</source>
    <translation>Felder, die von der Vorgabe abweichen; das Kontextmenü setzt die Gruppe zurück</translation>
   </message>
   <message>
    <source>Fields with a problem</source>
    <translation>Felder mit einem Problem</translation>
+  </message>
+  <message>
+   <source>File</source>
+   <translation>Datei</translation>
   </message>
   <message>
    <source>File changed</source>
@@ -1836,8 +2060,8 @@
    <translation>Jeden Befehl oder Parameter mit wenigen Buchstaben finden</translation>
   </message>
   <message>
-   <source>Find in the page</source>
-   <translation>Auf der Seite finden</translation>
+   <source>Find in guide and glossary</source>
+   <translation>In Anleitung und Glossar finden</translation>
   </message>
   <message>
    <source>Fine</source>
@@ -1858,6 +2082,10 @@
   <message>
    <source>Flank colours</source>
    <translation>Farben der Flanken</translation>
+  </message>
+  <message>
+   <source>Flanks are drawn with their deviation {factor}</source>
+   <translation>Flanken sind mit Abweichung {factor} gezeichnet</translation>
   </message>
   <message>
    <source>Flanks coloured by deviation</source>
@@ -1914,6 +2142,10 @@
   <message>
    <source>Forget the unsaved edits of “{name}” for good?</source>
    <translation>Ungesicherte Änderungen an „{name}“ endgültig vergessen?</translation>
+  </message>
+  <message>
+   <source>Formula</source>
+   <translation>Formel</translation>
   </message>
   <message>
    <source>Frames</source>
@@ -2084,6 +2316,10 @@
    <translation>Zu einer Überschrift gehen</translation>
   </message>
   <message>
+   <source>Go to the parameter in the window</source>
+   <translation>Zum Parameter im Fenster gehen</translation>
+  </message>
+  <message>
    <source>Grey</source>
    <translation>Grau</translation>
   </message>
@@ -2148,12 +2384,20 @@
    <translation>Profile an Ferse und Zehe, benutzte Schnitte und Stellungen</translation>
   </message>
   <message>
+   <source>Highest deviation</source>
+   <translation>Höchste Abweichung</translation>
+  </message>
+  <message>
    <source>Histogram</source>
    <translation>Histogramm</translation>
   </message>
   <message>
    <source>How a whole gear is put together</source>
    <translation>Wie ein ganzes Rad zusammengesetzt wird</translation>
+  </message>
+  <message>
+   <source>How far it lies beyond the crossing point; t_zm is the mean point's distance along the axis.</source>
+   <translation>Wie weit sie über dem Kreuzungspunkt liegt; t_zm ist der Abstand des Mittelpunkts entlang der Achse.</translation>
   </message>
   <message>
    <source>How far the plane has rolled. It starts at 0 where the root lies below the base cone.</source>
@@ -2248,6 +2492,10 @@
    <translation>In der Entwurfsdatei: {key}</translation>
   </message>
   <message>
+   <source>In the glossary: {term}</source>
+   <translation>Im Glossar: {term}</translation>
+  </message>
+  <message>
    <source>Inches</source>
    <translation>Zoll</translation>
   </message>
@@ -2332,6 +2580,14 @@
    <translation>Alles behalten; Datei ▸ Ungesicherte Arbeit wiederherstellen oder der nächste Start fragt wieder</translation>
   </message>
   <message>
+   <source>Key in the design file</source>
+   <translation>Schlüssel in der Entwurfsdatei</translation>
+  </message>
+  <message>
+   <source>Key in {table}</source>
+   <translation>Schlüssel in {table}</translation>
+  </message>
+  <message>
    <source>Keys</source>
    <translation>Tasten</translation>
   </message>
@@ -2348,8 +2604,16 @@
    <translation>Sprache</translation>
   </message>
   <message>
+   <source>Language of the report</source>
+   <translation>Sprache des Berichts</translation>
+  </message>
+  <message>
    <source>Largest</source>
    <translation>Größte</translation>
+  </message>
+  <message>
+   <source>Largest [µm]</source>
+   <translation>Größte [µm]</translation>
   </message>
   <message>
    <source>Largest angle between neighbouring chords; left empty, the distance alone decides</source>
@@ -2370,6 +2634,10 @@
   <message>
    <source>Largest deviation over both flanks</source>
    <translation>Größte Abweichung über beide Flanken</translation>
+  </message>
+  <message>
+   <source>Largest deviation without its sign</source>
+   <translation>Größte Abweichung dem Betrag nach</translation>
   </message>
   <message>
    <source>Largest principal</source>
@@ -2437,11 +2705,11 @@
   </message>
   <message>
    <source>Less theory</source>
-   <translation>Abzüglich Theorie</translation>
+   <translation>Minus Theorie</translation>
   </message>
   <message>
    <source>Less theory, in %</source>
-   <translation>Abzüglich Theorie, in %</translation>
+   <translation>Minus Theorie, in %</translation>
   </message>
   <message>
    <source>Let the range follow the values shown</source>
@@ -2460,12 +2728,20 @@
    <translation>Hell</translation>
   </message>
   <message>
+   <source>Limit [µm]</source>
+   <translation>Grenze [µm]</translation>
+  </message>
+  <message>
    <source>Limit pressure angle</source>
    <translation>Grenzeingriffswinkel</translation>
   </message>
   <message>
    <source>Limit pressure angle factor</source>
-   <translation>Faktor des Grenzeingriffswinkels</translation>
+   <translation>Faktor des Grenzwinkels</translation>
+  </message>
+  <message>
+   <source>Limit radius</source>
+   <translation>Grenzradius</translation>
   </message>
   <message>
    <source>Linear</source>
@@ -2481,7 +2757,11 @@
   </message>
   <message>
    <source>Log</source>
-   <translation>Log</translation>
+   <translation>Protokoll</translation>
+  </message>
+  <message>
+   <source>Log scale</source>
+   <translation>Logarithmisch</translation>
   </message>
   <message>
    <source>Logarithmic pair</source>
@@ -2504,8 +2784,16 @@
    <translation>Unteres Ende der Skala</translation>
   </message>
   <message>
+   <source>Lowest deviation</source>
+   <translation>Niedrigste Abweichung</translation>
+  </message>
+  <message>
    <source>Lowest … highest</source>
    <translation>Von … bis</translation>
+  </message>
+  <message>
+   <source>Made</source>
+   <translation>Erstellt</translation>
   </message>
   <message>
    <source>Map</source>
@@ -2514,6 +2802,10 @@
   <message>
    <source>Maps and charts of</source>
    <translation>Karten und Diagramme von</translation>
+  </message>
+  <message>
+   <source>Maps show</source>
+   <translation>Karten zeigen</translation>
   </message>
   <message>
    <source>Margins</source>
@@ -2544,6 +2836,10 @@
    <translation>Mittlere Kopfhöhe</translation>
   </message>
   <message>
+   <source>Mean addendum and dedendum</source>
+   <translation>Mittlere Kopf- und Fußhöhe</translation>
+  </message>
+  <message>
    <source>Mean addendum factor</source>
    <translation>Mittlerer Kopfhöhenfaktor</translation>
   </message>
@@ -2568,6 +2864,10 @@
    <translation>Mittlere Fußhöhe</translation>
   </message>
   <message>
+   <source>Mean deviation without its sign</source>
+   <translation>Mittlere Abweichung dem Betrag nach</translation>
+  </message>
+  <message>
    <source>Mean normal chordal thickness</source>
    <translation>Normale Zahndickensehne, Mitte</translation>
   </message>
@@ -2580,12 +2880,20 @@
    <translation>Normalmodul, Mitte</translation>
   </message>
   <message>
+   <source>Mean normal thickness</source>
+   <translation>Normale Zahndicke, Mitte</translation>
+  </message>
+  <message>
    <source>Mean of the absolute deviations</source>
    <translation>Mittel der Beträge der Abweichungen</translation>
   </message>
   <message>
    <source>Mean pitch diameter</source>
    <translation>Mittlerer Teilkreisdurchmesser</translation>
+  </message>
+  <message>
+   <source>Mean radii</source>
+   <translation>Mittlere Radien</translation>
   </message>
   <message>
    <source>Mean root diameter</source>
@@ -2626,6 +2934,10 @@
   <message>
    <source>Measured points</source>
    <translation>Messpunkte</translation>
+  </message>
+  <message>
+   <source>Measured points against the theory: errors of the flanks, a map, the pitch</source>
+   <translation>Messpunkte gegen die Theorie: Fehler der Flanken, eine Karte, die Teilung</translation>
   </message>
   <message>
    <source>Measured points against theory</source>
@@ -2674,6 +2986,10 @@
   <message>
    <source>Metal at the tip more than at the root, over the whole depth of the flank; nothing changes in the middle.</source>
    <translation>Aufmaß am Kopf gegenüber dem Fuß, über die ganze Flankenhöhe; die Mitte bleibt.</translation>
+  </message>
+  <message>
+   <source>Metal taken off a flank</source>
+   <translation>Werkstoff, der an einer Flanke fehlt</translation>
   </message>
   <message>
    <source>Metal taken off at root and tip of the flank, rising as a parabola from the middle of its depth.</source>
@@ -2744,6 +3060,10 @@
    <translation>Einbaumaß</translation>
   </message>
   <message>
+   <source>NOT VALID</source>
+   <translation>NICHT GÜLTIG</translation>
+  </message>
+  <message>
    <source>NURBS surface</source>
    <translation>NURBS-Fläche</translation>
   </message>
@@ -2800,6 +3120,10 @@
    <translation>Kein Bild: {why}</translation>
   </message>
   <message>
+   <source>No pictures were handed in.</source>
+   <translation>Es wurden keine Bilder mitgegeben.</translation>
+  </message>
+  <message>
    <source>No points</source>
    <translation>Keine Punkte</translation>
   </message>
@@ -2810,6 +3134,10 @@
   <message>
    <source>Nominal grid…</source>
    <translation>Sollnetz…</translation>
+  </message>
+  <message>
+   <source>None: all four flanks are the theoretical ones.</source>
+   <translation>Keine: alle vier Flanken sind die theoretischen.</translation>
   </message>
   <message>
    <source>Normal chordal thickness, mean</source>
@@ -2836,6 +3164,10 @@
    <translation>Normal zur Flanke, positiv bei Aufmaß; genau bis zur zweiten Ordnung, darüber hinaus wird der Fußpunkt iteriert.</translation>
   </message>
   <message>
+   <source>Normal to the flank: crowning along the face and over the profile, corrections of spiral and pressure angle, bias, tip and root relief. ξ runs from −1 at the toe to 1 at the heel, η from −1 at the flank's lower edge to 1 at the tip. D is the drive flank, concave on the pinion and convex on the wheel; C is the coast flank.</source>
+   <translation>Normal zur Flanke: Balligkeit entlang der Breite und über dem Profil, Korrekturen von Spiral- und Eingriffswinkel, Verwindung, Kopf- und Fußrücknahme. ξ läuft von −1 an der Zehe bis 1 an der Ferse, η von −1 am unteren Rand der Flanke bis 1 am Kopf. D ist die Zugflanke, am Ritzel konkav und am Rad konvex; C ist die Schubflanke.</translation>
+  </message>
+  <message>
    <source>Normal, mean point</source>
    <translation>Normal, Mittelpunkt</translation>
   </message>
@@ -2854,6 +3186,14 @@
   <message>
    <source>Not used now.</source>
    <translation>Jetzt nicht benutzt.</translation>
+  </message>
+  <message>
+   <source>Note</source>
+   <translation>Hinweis</translation>
+  </message>
+  <message>
+   <source>Nothing found</source>
+   <translation>Nichts gefunden</translation>
   </message>
   <message>
    <source>Nothing is lost: save the design in another folder.</source>
@@ -2888,6 +3228,10 @@
    <translation>Zähnezahl des Rads.</translation>
   </message>
   <message>
+   <source>OUT OF LIMITS</source>
+   <translation>AUSSERHALB</translation>
+  </message>
+  <message>
    <source>Obtuse shafts, logarithmic spiral</source>
    <translation>Stumpfer Achsenwinkel, logarithmische Spirale</translation>
   </message>
@@ -2896,12 +3240,20 @@
    <translation>Von der Spitze aus</translation>
   </message>
   <message>
+   <source>Of pitch, tip and root circle, with cone distance and depths of the place; the numbers are those of the heel.</source>
+   <translation>Von Teil-, Kopf- und Fußkreis, mit Kegellänge und Zahnhöhen des Orts; die Zahlen sind die der Ferse.</translation>
+  </message>
+  <message>
    <source>Of the disc between hub and rim, from the back face.</source>
    <translation>Der Scheibe zwischen Nabe und Kranz, von der Rückfläche.</translation>
   </message>
   <message>
    <source>Of the edges between tip and ends of the teeth, turned over all teeth at toe and heel; its legs along the face cone and along the end, 0 for none.</source>
    <translation>Der Kanten zwischen Kopf und Zahnenden, an Zehe und Ferse über alle Zähne gedreht; die Schenkel liegen am Kopfkegel und am Ende, 0 für keine.</translation>
+  </message>
+  <message>
+   <source>Of the section square to the tooth at the mean point.</source>
+   <translation>Im Schnitt rechtwinklig zum Zahn im Mittelpunkt.</translation>
   </message>
   <message>
    <source>Of the whole surface</source>
@@ -2928,6 +3280,10 @@
    <translation>Versatzwinkel, Fußebene</translation>
   </message>
   <message>
+   <source>Offset axes</source>
+   <translation>Achsen mit Versatz</translation>
+  </message>
+  <message>
    <source>Offset in the pitch plane</source>
    <translation>Versatz in der Teilebene</translation>
   </message>
@@ -2936,12 +3292,20 @@
    <translation>Um eine Zwölftelteilung weiter</translation>
   </message>
   <message>
+   <source>On the base cone, as the paper gives it; β_i is the spiral angle on the pitch cone there.</source>
+   <translation>Auf dem Grundkegel, wie die Arbeit ihn angibt; β_i ist der Spiralwinkel auf dem Teilkegel dort.</translation>
+  </message>
+  <message>
    <source>One camera for all</source>
    <translation>Eine Kamera für alle</translation>
   </message>
   <message>
    <source>One closed shell</source>
    <translation>Eine geschlossene Hülle</translation>
+  </message>
+  <message>
+   <source>One flank of the three methods, coloured by its deviation from the exact flank.</source>
+   <translation>Eine Flanke der drei Methoden, gefärbt nach ihrer Abweichung von der exakten Flanke.</translation>
   </message>
   <message>
    <source>One of: {choices}.</source>
@@ -3006,6 +3370,10 @@
   <message>
    <source>Open design</source>
    <translation>Entwurf öffnen</translation>
+  </message>
+  <message>
+   <source>Open measured points on the page Measurement first</source>
+   <translation>Zuerst Messpunkte auf der Seite Messung öffnen</translation>
   </message>
   <message>
    <source>Open measured points or a STEP file</source>
@@ -3144,6 +3512,10 @@
    <translation>Paar im Eingriff, um einen Zahn weiter</translation>
   </message>
   <message>
+   <source>Panels that share a place</source>
+   <translation>Felder, die sich einen Platz teilen</translation>
+  </message>
+  <message>
    <source>Paper</source>
    <translation>Arbeit</translation>
   </message>
@@ -3172,6 +3544,10 @@
    <translation>Parameter und abgeleitete Werte beider Entwürfe</translation>
   </message>
   <message>
+   <source>Parameters that the equation uses</source>
+   <translation>Parameter, die die Gleichung benutzt</translation>
+  </message>
+  <message>
    <source>Parameters: {group}</source>
    <translation>Parameter: {group}</translation>
   </message>
@@ -3188,6 +3564,10 @@
    <translation>Tragbild</translation>
   </message>
   <message>
+   <source>Pattern [%]</source>
+   <translation>Tragbild [%]</translation>
+  </message>
+  <message>
    <source>Peak to peak</source>
    <translation>Spitze–Spitze</translation>
   </message>
@@ -3202,6 +3582,10 @@
   <message>
    <source>Picture</source>
    <translation>Bild</translation>
+  </message>
+  <message>
+   <source>Picture (*.png);;Drawing (*.svg);;Table (*.csv)</source>
+   <translation>Bild (*.png);;Zeichnung (*.svg);;Tabelle (*.csv)</translation>
   </message>
   <message>
    <source>Picture of</source>
@@ -3240,6 +3624,10 @@
    <translation>Teilkegelwinkel</translation>
   </message>
   <message>
+   <source>Pitch apex</source>
+   <translation>Teilkegelspitze</translation>
+  </message>
+  <message>
    <source>Pitch apex beyond crossing point</source>
    <translation>Teilkegelspitze über dem Kreuzungspunkt</translation>
   </message>
@@ -3250,6 +3638,10 @@
   <message>
    <source>Pitch cone angle</source>
    <translation>Winkel des Teilkegels</translation>
+  </message>
+  <message>
+   <source>Pitch cones in contact</source>
+   <translation>Teilkegel in Berührung</translation>
   </message>
   <message>
    <source>Pitch diameter, heel</source>
@@ -3292,6 +3684,10 @@
    <translation>Ort des Schnitts</translation>
   </message>
   <message>
+   <source>Place on a flank</source>
+   <translation>Ort auf einer Flanke</translation>
+  </message>
+  <message>
    <source>Places along the generating line</source>
    <translation>Orte entlang der Erzeugenden</translation>
   </message>
@@ -3328,8 +3724,16 @@
    <translation>Punkte und Flächen</translation>
   </message>
   <message>
+   <source>Points left out beside the flanks</source>
+   <translation>Ausgelassene Punkte neben den Flanken</translation>
+  </message>
+  <message>
    <source>Points of the exact flank on U and V lines</source>
    <translation>Punkte der exakten Flanke auf U- und V-Linien</translation>
+  </message>
+  <message>
+   <source>Points on the flanks</source>
+   <translation>Punkte auf den Flanken</translation>
   </message>
   <message>
    <source>Points, U and V lines</source>
@@ -3382,6 +3786,10 @@
   <message>
    <source>Pressure angle, transv.</source>
    <translation>Stirneingriffswinkel</translation>
+  </message>
+  <message>
+   <source>Pressure angles and base cones of both flanks</source>
+   <translation>Eingriffswinkel und Grundkegel beider Flanken</translation>
   </message>
   <message>
    <source>Preview of the report</source>
@@ -3488,6 +3896,14 @@
    <translation>Größe</translation>
   </message>
   <message>
+   <source>RMS</source>
+   <translation>RMS</translation>
+  </message>
+  <message>
+   <source>RMS deviation</source>
+   <translation>Quadratisches Mittel der Abweichung</translation>
+  </message>
+  <message>
    <source>R_e from the pitch apex</source>
    <translation>R_e ab der Teilkegelspitze</translation>
   </message>
@@ -3528,12 +3944,24 @@
    <translation>CAD-Kern neu &amp;starten</translation>
   </message>
   <message>
+   <source>Reaches {tolerance} µm with</source>
+   <translation>Erreicht {tolerance} µm mit</translation>
+  </message>
+  <message>
+   <source>Read back</source>
+   <translation>Zurückgelesen</translation>
+  </message>
+  <message>
    <source>Reading {file}…</source>
    <translation>{file} wird gelesen…</translation>
   </message>
   <message>
    <source>Rebuild when the design changes</source>
    <translation>Bei Änderung neu bauen</translation>
+  </message>
+  <message>
+   <source>Recent design {number}</source>
+   <translation>Zuletzt geöffneter Entwurf {number}</translation>
   </message>
   <message>
    <source>Reco&amp;ver unsaved work…</source>
@@ -3872,6 +4300,10 @@
    <translation>Alles wählen</translation>
   </message>
   <message>
+   <source>Series of points</source>
+   <translation>Punktreihe</translation>
+  </message>
+  <message>
    <source>Set of layers</source>
    <translation>Satz von Ebenen</translation>
   </message>
@@ -3912,6 +4344,10 @@
    <translation>Anteil der Punkte</translation>
   </message>
   <message>
+   <source>Shared between both members; without a factor of its own c_ham is 0.21 + 0.29/u₉₀², the standard's proposal.</source>
+   <translation>Auf beide Räder verteilt; ohne eigenen Faktor ist c_ham gleich 0,21 + 0,29/u₉₀², dem Vorschlag der Norm.</translation>
+  </message>
+  <message>
    <source>Shift</source>
    <translation>Schub axial</translation>
   </message>
@@ -3920,12 +4356,24 @@
    <translation>Verschoben um</translation>
   </message>
   <message>
+   <source>Shifted by the best fit</source>
+   <translation>Durch die Einpassung verschoben</translation>
+  </message>
+  <message>
    <source>Show</source>
    <translation>Zeigen</translation>
   </message>
   <message>
+   <source>Show equation</source>
+   <translation>Gleichung zeigen</translation>
+  </message>
+  <message>
    <source>Show everything as in a new window; layers keep their colours</source>
    <translation>Alles wie in einem neuen Fenster zeigen; Ebenen behalten ihre Farben</translation>
+  </message>
+  <message>
+   <source>Show the equation of this row with its numbers (Enter)</source>
+   <translation>Die Gleichung dieser Zeile mit ihren Zahlen zeigen (Enter)</translation>
   </message>
   <message>
    <source>Show the pinion and build its flanks</source>
@@ -3972,12 +4420,20 @@
    <translation>Größe des Films in Bildpunkten</translation>
   </message>
   <message>
+   <source>Sizes of the teeth</source>
+   <translation>Maße der Zähne</translation>
+  </message>
+  <message>
    <source>Smallest principal</source>
    <translation>Kleinste</translation>
   </message>
   <message>
    <source>Smooth</source>
    <translation>Glatt</translation>
+  </message>
+  <message>
+   <source>Snap to corners and middles of edges</source>
+   <translation>An Ecken und Kantenmitten fangen</translation>
   </message>
   <message>
    <source>Software, without the graphics card</source>
@@ -3992,8 +4448,16 @@
    <translation>Körper wissen, welche Flächen sich treffen; getrimmte Flächen sind für Programme ohne Körper</translation>
   </message>
   <message>
+   <source>Some of the paper's are those of bevel pairs with depths from the module: numbers are put in where an equation holds for this pair.</source>
+   <translation>Einige der Veröffentlichung gelten für Kegelradpaare mit Zahnhöhen aus dem Modul: Zahlen sind dort eingesetzt, wo eine Gleichung für dieses Paar gilt.</translation>
+  </message>
+  <message>
    <source>Something unexpected went wrong. The window goes on, and the design is still there: save it under a new name to be safe. The report below helps to mend the fault; it is also in {path}.</source>
    <translation>Etwas Unerwartetes ging schief. Das Fenster läuft weiter, der Entwurf ist noch da: zur Sicherheit unter neuem Namen speichern. Der Bericht unten hilft, den Fehler zu beheben; er steht auch in {path}.</translation>
+  </message>
+  <message>
+   <source>Source</source>
+   <translation>Quelle</translation>
   </message>
   <message>
    <source>Speed</source>
@@ -4028,12 +4492,20 @@
    <translation>Spiralwinkel bei der Kegellänge R' einer Flankenlinie, die ein Bogen mit dem Messerkopfradius r₀ ist.</translation>
   </message>
   <message>
+   <source>Spiral angle at the toe</source>
+   <translation>Spiralwinkel an der Zehe</translation>
+  </message>
+  <message>
    <source>Spiral angle correction</source>
    <translation>Korrektur des Spiralwinkels</translation>
   </message>
   <message>
    <source>Spiral angle of</source>
    <translation>Spiralwinkel von</translation>
+  </message>
+  <message>
+   <source>Spiral angle, as an angle</source>
+   <translation>Spiralwinkel, als Winkel</translation>
   </message>
   <message>
    <source>Spiral angle, heel</source>
@@ -4050,6 +4522,14 @@
   <message>
    <source>Spiral angle; 0 gives straight teeth, or zerol teeth with the circular arc.</source>
    <translation>Spiralwinkel; 0 gibt gerade Zähne, mit dem Kreisbogen Zerolzähne.</translation>
+  </message>
+  <message>
+   <source>Spiral angles of both members</source>
+   <translation>Spiralwinkel beider Räder</translation>
+  </message>
+  <message>
+   <source>Spiral bevel gear report</source>
+   <translation>Bericht über ein Spiralkegelradpaar</translation>
   </message>
   <message>
    <source>Spiral bevel gears from the exact spherical involute: three ways to model the tooth flanks, side by side, and how far each is from theory.</source>
@@ -4108,6 +4588,10 @@
    <translation>Streifen</translation>
   </message>
   <message>
+   <source>Surface or difference</source>
+   <translation>Fläche oder Differenz</translation>
+  </message>
+  <message>
    <source>Surface quality</source>
    <translation>Flächengüte</translation>
   </message>
@@ -4152,12 +4636,20 @@
    <translation>Verjüngung</translation>
   </message>
   <message>
+   <source>Taper of the wheel</source>
+   <translation>Verjüngung am Rad</translation>
+  </message>
+  <message>
    <source>Teeth</source>
    <translation>Zähne</translation>
   </message>
   <message>
    <source>Teeth as long as the CAD flank is curved</source>
    <translation>Zähne, so lang wie die CAD-Flanke gekrümmt ist</translation>
+  </message>
+  <message>
+   <source>Teeth measured</source>
+   <translation>Gemessene Zähne</translation>
   </message>
   <message>
    <source>Text</source>
@@ -4208,6 +4700,10 @@
    <translation>Die Einpassung darf das Teil um die Achse drehen</translation>
   </message>
   <message>
+   <source>The best fit might {ways}.</source>
+   <translation>Die Einpassung durfte {ways}.</translation>
+  </message>
+  <message>
    <source>The chart was not saved: {error}</source>
    <translation>Das Diagramm wurde nicht gespeichert: {error}</translation>
   </message>
@@ -4232,6 +4728,10 @@
    <translation>Der Aufbau, dessen Flächen geschrieben werden</translation>
   </message>
   <message>
+   <source>The contact could not be analysed; see the notes.</source>
+   <translation>Der Zahnkontakt ließ sich nicht untersuchen; siehe die Hinweise.</translation>
+  </message>
+  <message>
    <source>The cutter's radius is missing below the line.</source>
    <translation>Unter dem Bruchstrich fehlt der Messerkopfradius.</translation>
   </message>
@@ -4242,6 +4742,10 @@
   <message>
    <source>The design</source>
    <translation>Der Entwurf</translation>
+  </message>
+  <message>
+   <source>The design is not saved, so there is no folder in which exports could be.</source>
+   <translation>Der Entwurf ist nicht gespeichert; daher gibt es keinen Ordner, in dem Exporte sein könnten.</translation>
   </message>
   <message>
    <source>The design to compare with</source>
@@ -4264,12 +4768,20 @@
    <translation>Die Gleichung</translation>
   </message>
   <message>
+   <source>The equation of the parameter or row with the cursor</source>
+   <translation>Die Gleichung des Parameters oder der Zeile mit dem Cursor</translation>
+  </message>
+  <message>
    <source>The exact flank, translucent</source>
    <translation>Die exakte Flanke, durchscheinend</translation>
   </message>
   <message>
    <source>The export failed: {text}</source>
    <translation>Der Export misslang: {text}</translation>
+  </message>
+  <message>
+   <source>The face cone touches a plane on the wheel's root cone, the root cone one on its face cone, both the clearance away.</source>
+   <translation>Der Kopfkegel berührt eine Ebene am Fußkegel des Rads, der Fußkegel eine an dessen Kopfkegel, beide um das Kopfspiel entfernt.</translation>
   </message>
   <message>
    <source>The face width is given as a length: empty that field to use the factor.</source>
@@ -4302,12 +4814,32 @@
    <translation>Die um Θ gerollte Erzeugende liegt auf 4·10⁻¹⁴ mm auf der Flanke.</translation>
   </message>
   <message>
+   <source>The inclination of the flank that would slide along the tooth alone: drive and coast flank lie equally far from it.</source>
+   <translation>Die Neigung der Flanke, die nur entlang des Zahns gleiten würde: Zug- und Schubflanke liegen gleich weit davon.</translation>
+  </message>
+  <message>
    <source>The kernel's full check of the solid</source>
    <translation>Die volle Prüfung des Körpers durch den Kern</translation>
   </message>
   <message>
+   <source>The language that the report is written in</source>
+   <translation>Die Sprache, in der der Bericht geschrieben wird</translation>
+  </message>
+  <message>
+   <source>The last column says where the formula stands: section of the theory, and in brackets the paper's equation.</source>
+   <translation>Die letzte Spalte sagt, wo die Formel steht: Abschnitt der Theorie, in Klammern die Gleichung der Veröffentlichung.</translation>
+  </message>
+  <message>
    <source>The line in the plane, and the flank it has swept</source>
    <translation>Die Gerade in der Ebene und die von ihr überstrichene Flanke</translation>
+  </message>
+  <message>
+   <source>The mate's tip must not roll beyond the start of the flank on the base cone.</source>
+   <translation>Der Kopf des Gegenrads darf nicht über den Beginn der Flanke am Grundkegel hinaus wälzen.</translation>
+  </message>
+  <message>
+   <source>The measured points could not be compared with this design; see the notes.</source>
+   <translation>Die Messpunkte ließen sich nicht mit diesem Entwurf vergleichen; siehe die Hinweise.</translation>
   </message>
   <message>
    <source>The measurement was cancelled.</source>
@@ -4334,8 +4866,16 @@
    <translation>Die Methoden nebeneinander, Diagramme, Zahnkontakt, Datenblatt und Messpunkte.</translation>
   </message>
   <message>
+   <source>The modified flank</source>
+   <translation>Die modifizierte Flanke</translation>
+  </message>
+  <message>
    <source>The nominal grid was not saved: {reason}</source>
    <translation>Das Sollnetz wurde nicht gespeichert: {reason}</translation>
+  </message>
+  <message>
+   <source>The offset</source>
+   <translation>Der Achsversatz</translation>
   </message>
   <message>
    <source>The opposite flank</source>
@@ -4382,12 +4922,20 @@
    <translation>Die konkave Flanke des Ritzels führt</translation>
   </message>
   <message>
+   <source>The pinion's conjugate flank</source>
+   <translation>Die konjugierte Flanke des Ritzels</translation>
+  </message>
+  <message>
    <source>The pinion's convex flank leads</source>
    <translation>Die konvexe Flanke des Ritzels führt</translation>
   </message>
   <message>
    <source>The pinion's flanks as the wheel makes them</source>
    <translation>Ritzelflanken, wie das Rad sie erzeugt</translation>
+  </message>
+  <message>
+   <source>The pitch angles are those for which it is the radius of the wheel's tooth trace: r₀ for a cutter's arc.</source>
+   <translation>Die Teilkegelwinkel sind die, bei denen er der Radius der Flankenlinie des Rads ist: r₀ beim Messerkopfbogen.</translation>
   </message>
   <message>
    <source>The pitch cones of two gears with crossing axes roll on each other; z' are the mate's teeth. For a right angle it is the paper's arctan z / z'.</source>
@@ -4438,6 +4986,14 @@
    <translation>Die Einstellungsdatei war beschädigt; das Fenster beginnt mit den üblichen Einstellungen. {where}</translation>
   </message>
   <message>
+   <source>The shortest distance between the axes, from the mean point's radii; a_p is the part in the pitch plane.</source>
+   <translation>Der kürzeste Abstand der Achsen, aus den Radien des Mittelpunkts; a_p ist der Anteil in der Teilebene.</translation>
+  </message>
+  <message>
+   <source>The standard taper: root lines through the pitch apex. With uniform depth both angles are 0; duplex and tilted root divide another sum of the dedendum angles as the depth is divided; an angle that is given wins.</source>
+   <translation>Die Standardverjüngung: Fußlinien durch die Teilkegelspitze. Bei gleich hohen Zähnen sind beide Winkel 0; Duplex und geneigter Fuß teilen eine andere Summe der Fußwinkel so, wie die Zahnhöhe geteilt ist; ein angegebener Winkel geht vor.</translation>
+  </message>
+  <message>
    <source>The step before</source>
    <translation>Der Schritt davor</translation>
   </message>
@@ -4458,16 +5014,36 @@
    <translation>Die Rechnung ist länger als {count} Zeichen</translation>
   </message>
   <message>
+   <source>The sum of the dedendum angles for which both slots keep their width along the face; κ is the tooth trace's curvature. A tilted root line takes at most 1.3 times the standard sum.</source>
+   <translation>Die Summe der Fußwinkel, bei der beide Lücken ihre Weite entlang der Breite behalten; κ ist die Krümmung der Flankenlinie. Eine geneigte Fußlinie nimmt höchstens das 1,3-Fache der Standardsumme.</translation>
+  </message>
+  <message>
    <source>The system refused to start another window.</source>
    <translation>Das System ließ kein weiteres Fenster zu.</translation>
+  </message>
+  <message>
+   <source>The teeth end square to the pitch cone: ρ_u is the cone distance there, and points above and below are farther from the apex.</source>
+   <translation>Die Zähne enden rechtwinklig zum Teilkegel: ρ_u ist die Kegellänge dort, und Punkte darüber und darunter sind weiter von der Spitze entfernt.</translation>
+  </message>
+  <message>
+   <source>The teeth run along each other at the mean point, the cones' elements do not.</source>
+   <translation>Im Mittelpunkt laufen die Zähne aneinander entlang, die Mantellinien der Kegel nicht.</translation>
   </message>
   <message>
    <source>The theoretical surface, explicit in azimuth: the deviation of any point from it needs no search.</source>
    <translation>Die theoretische Fläche, explizit im Azimut: die Abweichung jedes Punkts braucht keine Suche.</translation>
   </message>
   <message>
+   <source>The thickness factor makes the pinion's teeth thicker and the wheel's thinner; x_sm has the backlash's share.</source>
+   <translation>Der Zahndickenfaktor macht die Zähne des Ritzels dicker und die des Rads dünner; x_sm enthält den Anteil des Flankenspiels.</translation>
+  </message>
+  <message>
    <source>The three methods side by side, seen from the same place</source>
    <translation>Die drei Methoden nebeneinander, vom selben Ort gesehen</translation>
+  </message>
+  <message>
+   <source>The tips run parallel to the mate's root cone, through the tip's corner at the heel; the face cone has an apex of its own.</source>
+   <translation>Die Köpfe laufen parallel zum Fußkegel des Gegenrads, durch die Kopfkante an der Ferse; der Kopfkegel hat eine eigene Spitze.</translation>
   </message>
   <message>
    <source>The tooth is self-similar: every section is the heel's, scaled by ρ and turned by θ(ρ).</source>
@@ -4480,6 +5056,10 @@
   <message>
    <source>The tooth that is drawn</source>
    <translation>Der Zahn, der gezeichnet wird</translation>
+  </message>
+  <message>
+   <source>The turn of the wheel over its pitch: while contact moves over the profile in the middle of the face (ε_α), along the face at half the depth (ε_β), and over the whole flank (ε_γ).</source>
+   <translation>Die Drehung des Rads durch seine Teilung: während die Berührung über das Profil in der Mitte der Breite wandert (ε_α), entlang der Breite in halber Höhe (ε_β), und über die ganze Flanke (ε_γ).</translation>
   </message>
   <message>
    <source>The turn θ(ρ) is missing.</source>
@@ -4506,6 +5086,10 @@
    <translation>Das Fenster allein auf dem Schirm, und zurück</translation>
   </message>
   <message>
+   <source>The window changes its language at once; the design and its results stay as they are.</source>
+   <translation>Das Fenster wechselt die Sprache sofort; Entwurf und Ergebnisse bleiben, wie sie sind.</translation>
+  </message>
+  <message>
    <source>The words of the field, as they are used here</source>
    <translation>Die Wörter des Fachs, wie sie hier gebraucht werden</translation>
   </message>
@@ -4526,10 +5110,6 @@
    <translation>Theorie</translation>
   </message>
   <message>
-   <source>Theory {equation}</source>
-   <translation>Theorie {equation}</translation>
-  </message>
-  <message>
    <source>Theory, section {section}</source>
    <translation>Theorie, Abschnitt {section}</translation>
   </message>
@@ -4538,12 +5118,20 @@
    <translation>Noch keine Sicherungen; jedes Speichern eines Entwurfs legt eine an.</translation>
   </message>
   <message>
+   <source>There are no exports with a record in {folder}.</source>
+   <translation>In {folder} gibt es keine Exporte mit Prüfbericht.</translation>
+  </message>
+  <message>
    <source>There is no unsaved work to recover.</source>
    <translation>Es gibt keine ungesicherte Arbeit wiederherzustellen.</translation>
   </message>
   <message>
    <source>There is no {field} to begin or end.</source>
    <translation>Ohne {field} gibt es keinen Beginn und kein Ende.</translation>
+  </message>
+  <message>
+   <source>There was no best fit.</source>
+   <translation>Es wurde nicht eingepasst.</translation>
   </message>
   <message>
    <source>These are the values of an earlier design; of this one there are none: {error}</source>
@@ -4562,6 +5150,10 @@
    <translation>Zahndicke</translation>
   </message>
   <message>
+   <source>Thickness and chord</source>
+   <translation>Zahndicke und Sehne</translation>
+  </message>
+  <message>
    <source>Thickness factor</source>
    <translation>Zahndickenfaktor</translation>
   </message>
@@ -4574,6 +5166,10 @@
    <translation>Dicke der Tuschierpaste: wo der Spalt kleiner ist, wird sie abgewischt</translation>
   </message>
   <message>
+   <source>Thickness of the tip; where it is not positive the tooth is pointed.</source>
+   <translation>Dicke des Kopfs; wo sie nicht positiv ist, ist der Zahn spitz.</translation>
+  </message>
+  <message>
    <source>Thickness that the pinion's teeth gain over the wheel's, over mean normal module.</source>
    <translation>Dicke, die die Ritzelzähne gegenüber dem Rad gewinnen, durch mittleren Normalmodul.</translation>
   </message>
@@ -4582,12 +5178,24 @@
    <translation>Dieser Entwurf</translation>
   </message>
   <message>
+   <source>This design has no complete tooth; see the notes.</source>
+   <translation>Dieser Entwurf hat keinen vollständigen Zahn; siehe die Hinweise.</translation>
+  </message>
+  <message>
    <source>This design was never saved.</source>
    <translation>Dieser Entwurf wurde nie gespeichert.</translation>
   </message>
   <message>
    <source>This display offers no OpenGL.</source>
    <translation>Diese Anzeige bietet kein OpenGL.</translation>
+  </message>
+  <message>
+   <source>This parameter enters no equation.</source>
+   <translation>Dieser Parameter geht in keine Gleichung ein.</translation>
+  </message>
+  <message>
+   <source>This solid</source>
+   <translation>Dieser Körper</translation>
   </message>
   <message>
    <source>Three methods, two variants</source>
@@ -4604,6 +5212,10 @@
   <message>
    <source>Time</source>
    <translation>Zeit</translation>
+  </message>
+  <message>
+   <source>Time [ms]</source>
+   <translation>Zeit [ms]</translation>
   </message>
   <message>
    <source>Time to build both flanks</source>
@@ -4624,6 +5236,10 @@
   <message>
    <source>Tip cone</source>
    <translation>Kopfkegel</translation>
+  </message>
+  <message>
+   <source>Tip land</source>
+   <translation>Zahnkopfdicke</translation>
   </message>
   <message>
    <source>Tip land, heel</source>
@@ -4710,6 +5326,14 @@
    <translation>Drehwegabweichung</translation>
   </message>
   <message>
+   <source>Transmission error over three pitches.</source>
+   <translation>Drehwegabweichung über drei Teilungen.</translation>
+  </message>
+  <message>
+   <source>Transmission error, peak to peak [″]</source>
+   <translation>Drehwegabweichung, Spitze zu Spitze [″]</translation>
+  </message>
+  <message>
    <source>Transparent background</source>
    <translation>Durchsichtiger Hintergrund</translation>
   </message>
@@ -4778,6 +5402,10 @@
    <translation>Gedreht um</translation>
   </message>
   <message>
+   <source>Turned by the best fit</source>
+   <translation>Durch die Einpassung gedreht</translation>
+  </message>
+  <message>
    <source>Turns the lamps</source>
    <translation>Dreht die Lampen</translation>
   </message>
@@ -4794,8 +5422,16 @@
    <translation>Befehl oder Parameter eingeben</translation>
   </message>
   <message>
+   <source>Undercut margin</source>
+   <translation>Reserve gegen Unterschnitt</translation>
+  </message>
+  <message>
    <source>Undercut margin: rolled arc left below the mate's tip</source>
    <translation>Unterschnittreserve: Wälzbogen unter dem Kopf des Gegenrads</translation>
+  </message>
+  <message>
+   <source>Undercut of the pinion</source>
+   <translation>Unterschnitt am Ritzel</translation>
   </message>
   <message>
    <source>Undone: {step}</source>
@@ -4834,6 +5470,10 @@
    <translation>Einheiten, Farbschema, Sprache, Speicher und Tasten</translation>
   </message>
   <message>
+   <source>Unnamed pair</source>
+   <translation>Paar ohne Namen</translation>
+  </message>
+  <message>
    <source>Unsaved changes</source>
    <translation>Ungesicherte Änderungen</translation>
   </message>
@@ -4858,12 +5498,20 @@
    <translation>Oberes Ende der Skala</translation>
   </message>
   <message>
+   <source>Used by: {parameters}</source>
+   <translation>Benutzt von: {parameters}</translation>
+  </message>
+  <message>
    <source>Usual</source>
    <translation>Üblich</translation>
   </message>
   <message>
    <source>Valid</source>
    <translation>Gültig</translation>
+  </message>
+  <message>
+   <source>Value</source>
+   <translation>Wert</translation>
   </message>
   <message>
    <source>Values at the picked point</source>
@@ -4876,6 +5524,10 @@
   <message>
    <source>Variant</source>
    <translation>Variante</translation>
+  </message>
+  <message>
+   <source>Verdict</source>
+   <translation>Urteil</translation>
   </message>
   <message>
    <source>Views</source>
@@ -4892,6 +5544,14 @@
   <message>
    <source>Volume, mass and moments of the solids that are built</source>
    <translation>Volumen, Masse und Momente der gebauten Körper</translation>
+  </message>
+  <message>
+   <source>Warning</source>
+   <translation>Warnung</translation>
+  </message>
+  <message>
+   <source>Warning: {message}.</source>
+   <translation>Warnung: {message}.</translation>
   </message>
   <message>
    <source>Warnings and errors</source>
@@ -4956,6 +5616,10 @@
   <message>
    <source>What the construction took</source>
    <translation>Was der Aufbau brauchte</translation>
+  </message>
+  <message>
+   <source>What the contact is computed for, and its numbers</source>
+   <translation>Wofür der Kontakt berechnet wird, und seine Zahlen</translation>
   </message>
   <message>
    <source>What the lamps are fixed to</source>
@@ -5086,6 +5750,10 @@
    <translation>Ohne sie verlässt die Führung die Flanke eines Spiralzahns.</translation>
   </message>
   <message>
+   <source>Without misalignment, marking compound {thickness} µm thick; the least backlash while rolling is {play} mm. Drive: the pinion's concave flank leads. The centre of the pattern is given as a part of the face from the toe and of the profile from the root.</source>
+   <translation>Ohne Einbaufehler, Tuschierpaste {thickness} µm dick; das kleinste Flankenspiel beim Abwälzen ist {play} mm. Zug: die konkave Flanke des Ritzels führt. Die Mitte des Tragbilds ist als Teil der Breite von der Zehe und des Profils vom Fuß angegeben.</translation>
+  </message>
+  <message>
    <source>Words of the title or the text, or the paper's number</source>
    <translation>Wörter aus Titel oder Text, oder die Nummer der Arbeit</translation>
   </message>
@@ -5100,6 +5768,10 @@
   <message>
    <source>Work</source>
    <translation>Arbeit</translation>
+  </message>
+  <message>
+   <source>Working depth and clearance</source>
+   <translation>Gemeinsame Zahnhöhe und Kopfspiel</translation>
   </message>
   <message>
    <source>Working depth at the mean point over mean normal module.</source>
@@ -5126,6 +5798,10 @@
    <translation>Schreibt {names}</translation>
   </message>
   <message>
+   <source>Written</source>
+   <translation>Geschrieben</translation>
+  </message>
+  <message>
    <source>Wrote {names} to {folder}; read back and checked</source>
    <translation>{names} nach {folder} geschrieben; zurückgelesen und geprüft</translation>
   </message>
@@ -5140,6 +5816,10 @@
   <message>
    <source>Zerol pair</source>
    <translation>Zerolpaar</translation>
+  </message>
+  <message>
+   <source>above pitch cone [mm]</source>
+   <translation>über dem Teilkegel [mm]</translation>
   </message>
   <message>
    <source>addendum</source>
@@ -5174,6 +5854,10 @@
    <translation>Azimut am Teilkegel</translation>
   </message>
   <message>
+   <source>back face</source>
+   <translation>Rückseite</translation>
+  </message>
+  <message>
    <source>base</source>
    <translation>Grund</translation>
   </message>
@@ -5198,8 +5882,16 @@
    <translation>Radkörper</translation>
   </message>
   <message>
-   <source>box {box} mm · read by {kernel}</source>
-   <translation>Quader {box} mm · gelesen mit {kernel}</translation>
+   <source>bore</source>
+   <translation>Bohrung</translation>
+  </message>
+  <message>
+   <source>both flanks</source>
+   <translation>beide Flanken</translation>
+  </message>
+  <message>
+   <source>box {box} · read by {kernel}</source>
+   <translation>Quader {box} · gelesen mit {kernel}</translation>
   </message>
   <message>
    <source>building…</source>
@@ -5220,6 +5912,10 @@
   <message>
    <source>c_m = h_fm − h_am of the mate</source>
    <translation>c_m = h_fm − h_am des Gegenrads</translation>
+  </message>
+  <message>
+   <source>closed</source>
+   <translation>geschlossen</translation>
   </message>
   <message>
    <source>coast</source>
@@ -5266,8 +5962,28 @@
    <translation>konvexer Meridian</translation>
   </message>
   <message>
+   <source>corner</source>
+   <translation>Ecke</translation>
+  </message>
+  <message>
+   <source>count</source>
+   <translation>Anzahl</translation>
+  </message>
+  <message>
+   <source>cumulative</source>
+   <translation>summiert</translation>
+  </message>
+  <message>
+   <source>curvature</source>
+   <translation>Krümmung</translation>
+  </message>
+  <message>
    <source>cut</source>
    <translation>Schnitt</translation>
+  </message>
+  <message>
+   <source>cut face</source>
+   <translation>Schnittfläche</translation>
   </message>
   <message>
    <source>dedendum</source>
@@ -5282,12 +5998,32 @@
    <translation>abgeleitet</translation>
   </message>
   <message>
+   <source>deviation</source>
+   <translation>Abweichung</translation>
+  </message>
+  <message>
+   <source>deviation [µm]</source>
+   <translation>Abweichung [µm]</translation>
+  </message>
+  <message>
+   <source>deviation {factor}</source>
+   <translation>Abweichung {factor}</translation>
+  </message>
+  <message>
    <source>deviation {value}</source>
    <translation>Abweichung {value}</translation>
   </message>
   <message>
    <source>drive</source>
    <translation>Zug</translation>
+  </message>
+  <message>
+   <source>ease-off</source>
+   <translation>Ease-off</translation>
+  </message>
+  <message>
+   <source>en</source>
+   <translation>de</translation>
   </message>
   <message>
    <source>end</source>
@@ -5302,6 +6038,10 @@
    <translation>exakt: berührende Teilkegel, ρ_lim = r_c0</translation>
   </message>
   <message>
+   <source>face 0-1</source>
+   <translation>Breite 0-1</translation>
+  </message>
+  <message>
    <source>face angle</source>
    <translation>Kopfkegelwinkel</translation>
   </message>
@@ -5310,12 +6050,20 @@
    <translation>Spitze des Kopfkegels</translation>
   </message>
   <message>
+   <source>faces: {count}</source>
+   <translation>Flächen: {count}</translation>
+  </message>
+  <message>
    <source>fillet</source>
    <translation>Fußrundung</translation>
   </message>
   <message>
    <source>first method, mean</source>
    <translation>erste Methode, Mittel</translation>
+  </message>
+  <message>
+   <source>flank</source>
+   <translation>Flanke</translation>
   </message>
   <message>
    <source>flanks</source>
@@ -5330,8 +6078,24 @@
    <translation>Bild {n} von {all}</translation>
   </message>
   <message>
+   <source>from toe to heel [mm]</source>
+   <translation>von der Zehe zur Ferse [mm]</translation>
+  </message>
+  <message>
+   <source>front face</source>
+   <translation>Vorderseite</translation>
+  </message>
+  <message>
+   <source>gap</source>
+   <translation>Spalt</translation>
+  </message>
+  <message>
    <source>gap {value} µm</source>
    <translation>Spalt {value} µm</translation>
+  </message>
+  <message>
+   <source>gap µm</source>
+   <translation>Spalt µm</translation>
   </message>
   <message>
    <source>gear</source>
@@ -5366,6 +6130,10 @@
    <translation>Ferse</translation>
   </message>
   <message>
+   <source>hub</source>
+   <translation>Nabe</translation>
+  </message>
+  <message>
    <source>inch</source>
    <translation>Zoll</translation>
   </message>
@@ -5386,12 +6154,44 @@
    <translation>innerer Spiralwinkel</translation>
   </message>
   <message>
+   <source>it ended without a reason</source>
+   <translation>es endete ohne Angabe eines Grundes</translation>
+  </message>
+  <message>
+   <source>it took too long</source>
+   <translation>es dauerte zu lange</translation>
+  </message>
+  <message>
+   <source>it was made of another state of the design; changed since: {fields}</source>
+   <translation>sie entstand aus einem anderen Stand des Entwurfs; seither geändert: {fields}</translation>
+  </message>
+  <message>
    <source>kernel</source>
    <translation>Kern</translation>
   </message>
   <message>
+   <source>kg mm²</source>
+   <translation>kg mm²</translation>
+  </message>
+  <message>
+   <source>kg m²</source>
+   <translation>kg m²</translation>
+  </message>
+  <message>
+   <source>lag of the wheel [″]</source>
+   <translation>Nacheilen des Rads [″]</translation>
+  </message>
+  <message>
    <source>largest</source>
    <translation>größte</translation>
+  </message>
+  <message>
+   <source>largest deviation [µm]</source>
+   <translation>größte Abweichung [µm]</translation>
+  </message>
+  <message>
+   <source>lb in²</source>
+   <translation>lb in²</translation>
   </message>
   <message>
    <source>least</source>
@@ -5406,12 +6206,28 @@
    <translation>weggelassen</translation>
   </message>
   <message>
+   <source>left-hand pinion</source>
+   <translation>Ritzel linksspiralig</translation>
+  </message>
+  <message>
    <source>line</source>
    <translation>Linie</translation>
   </message>
   <message>
+   <source>longest bar {length} {unit}</source>
+   <translation>längster Balken {length} {unit}</translation>
+  </message>
+  <message>
+   <source>max</source>
+   <translation>max</translation>
+  </message>
+  <message>
    <source>max {largest} · mean {mean}</source>
    <translation>max {largest} · Mittel {mean}</translation>
+  </message>
+  <message>
+   <source>mean</source>
+   <translation>Mittel</translation>
   </message>
   <message>
    <source>mean cone distance</source>
@@ -5428,6 +6244,22 @@
   <message>
    <source>mean {value} µm</source>
    <translation>Mittel {value} µm</translation>
+  </message>
+  <message>
+   <source>member</source>
+   <translation>Rad</translation>
+  </message>
+  <message>
+   <source>method</source>
+   <translation>Verfahren</translation>
+  </message>
+  <message>
+   <source>micro-geometry</source>
+   <translation>Mikrogeometrie</translation>
+  </message>
+  <message>
+   <source>middle of an edge</source>
+   <translation>Kantenmitte</translation>
   </message>
   <message>
    <source>mm</source>
@@ -5462,6 +6294,14 @@
    <translation>keine Krümmung zu zeigen</translation>
   </message>
   <message>
+   <source>no deviation here</source>
+   <translation>hier keine Abweichung</translation>
+  </message>
+  <message>
+   <source>no font with Chinese characters was found, so the report is in English; install one, such as Noto Sans CJK</source>
+   <translation>Es wurde keine Schrift mit chinesischen Zeichen gefunden, daher ist der Bericht englisch; installieren Sie eine, etwa Noto Sans CJK</translation>
+  </message>
+  <message>
    <source>non-uniform</source>
    <translation>ungleichmäßig</translation>
   </message>
@@ -5470,8 +6310,20 @@
    <translation>keine</translation>
   </message>
   <message>
+   <source>not built</source>
+   <translation>nicht gebaut</translation>
+  </message>
+  <message>
    <source>not computable</source>
    <translation>nicht berechenbar</translation>
+  </message>
+  <message>
+   <source>not measured</source>
+   <translation>nicht gemessen</translation>
+  </message>
+  <message>
+   <source>not reached</source>
+   <translation>nicht erreicht</translation>
   </message>
   <message>
    <source>not valid: {count} problems</source>
@@ -5490,12 +6342,24 @@
    <translation>Zahl</translation>
   </message>
   <message>
+   <source>offset axes</source>
+   <translation>Achsversatz</translation>
+  </message>
+  <message>
+   <source>one tooth</source>
+   <translation>ein Zahn</translation>
+  </message>
+  <message>
    <source>optimised</source>
    <translation>optimiert</translation>
   </message>
   <message>
    <source>outer cone distance</source>
    <translation>äußere Teilkegellänge</translation>
+  </message>
+  <message>
+   <source>outer cone distance {distance} mm, face width {width} mm (wheel)</source>
+   <translation>äußere Kegeldistanz {distance} mm, Zahnbreite {width} mm (Rad)</translation>
   </message>
   <message>
    <source>outer module</source>
@@ -5512,6 +6376,10 @@
   <message>
    <source>outside diameter</source>
    <translation>Außendurchmesser</translation>
+  </message>
+  <message>
+   <source>oz in²</source>
+   <translation>oz in²</translation>
   </message>
   <message>
    <source>pair</source>
@@ -5538,12 +6406,20 @@
    <translation>Teilkegelwinkel</translation>
   </message>
   <message>
+   <source>pitch error [µm]</source>
+   <translation>Teilungsabweichung [µm]</translation>
+  </message>
+  <message>
    <source>plane that touches the wheel's face cone</source>
    <translation>Ebene am Kopfkegel des Rads</translation>
   </message>
   <message>
    <source>plane that touches the wheel's root cone</source>
    <translation>Ebene am Fußkegel des Rads</translation>
+  </message>
+  <message>
+   <source>point of the 7 × 7 series, toe to heel</source>
+   <translation>Punkt der Reihe 7 × 7, Zehe bis Ferse</translation>
   </message>
   <message>
    <source>point_cloud</source>
@@ -5574,6 +6450,10 @@
    <translation>Prozess {number} auf {host}</translation>
   </message>
   <message>
+   <source>profile 0-1</source>
+   <translation>Profil 0-1</translation>
+  </message>
+  <message>
    <source>profile_sweep</source>
    <translation>Profil-Sweep</translation>
   </message>
@@ -5592,6 +6472,18 @@
   <message>
    <source>right</source>
    <translation>rechts</translation>
+  </message>
+  <message>
+   <source>right-hand pinion</source>
+   <translation>Ritzel rechtsspiralig</translation>
+  </message>
+  <message>
+   <source>rim</source>
+   <translation>Kranz</translation>
+  </message>
+  <message>
+   <source>rms</source>
+   <translation>rms</translation>
   </message>
   <message>
    <source>roll angle at the pitch cone</source>
@@ -5618,6 +6510,14 @@
    <translation>zweite Methode, Mittel</translation>
   </message>
   <message>
+   <source>seconds</source>
+   <translation>Sekunden</translation>
+  </message>
+  <message>
+   <source>seconds for both flanks</source>
+   <translation>Sekunden für beide Flanken</translation>
+  </message>
+  <message>
    <source>section 3</source>
    <translation>Abschnitt 3</translation>
   </message>
@@ -5634,6 +6534,22 @@
    <translation>Schnitte</translation>
   </message>
   <message>
+   <source>series</source>
+   <translation>Reihe</translation>
+  </message>
+  <message>
+   <source>shank</source>
+   <translation>Schaft</translation>
+  </message>
+  <message>
+   <source>shift</source>
+   <translation>verschieben</translation>
+  </message>
+  <message>
+   <source>single</source>
+   <translation>einzeln</translation>
+  </message>
+  <message>
    <source>skin</source>
    <translation>Haut</translation>
   </message>
@@ -5644,6 +6560,10 @@
   <message>
    <source>solids</source>
    <translation>Körper</translation>
+  </message>
+  <message>
+   <source>solids: {count}</source>
+   <translation>Körper: {count}</translation>
   </message>
   <message>
    <source>spacing</source>
@@ -5670,6 +6590,18 @@
    <translation>Bilder der Ansichten werden aufgenommen</translation>
   </message>
   <message>
+   <source>tan β(ρ) = ρ ψ_t′(ρ) at R_e</source>
+   <translation>tan β(ρ) = ρ ψ_t′(ρ) bei R_e</translation>
+  </message>
+  <message>
+   <source>tan β(ρ) = ρ ψ_t′(ρ) at R_i</source>
+   <translation>tan β(ρ) = ρ ψ_t′(ρ) bei R_i</translation>
+  </message>
+  <message>
+   <source>tan β(ρ) = ρ ψ_t′(ρ) at R_m</source>
+   <translation>tan β(ρ) = ρ ψ_t′(ρ) bei R_m</translation>
+  </message>
+  <message>
    <source>teeth</source>
    <translation>Zähne</translation>
   </message>
@@ -5686,6 +6618,14 @@
    <translation>die Datei ist fort</translation>
   </message>
   <message>
+   <source>the file is gone; its record is still there</source>
+   <translation>die Datei ist fort; ihr Prüfbericht ist noch da</translation>
+  </message>
+  <message>
+   <source>the file is not as it was written: its checksum is another</source>
+   <translation>die Datei ist nicht wie geschrieben: ihre Prüfsumme ist eine andere</translation>
+  </message>
+  <message>
    <source>the mate has no flank here</source>
    <translation>das Gegenrad hat hier keine Flanke</translation>
   </message>
@@ -5694,8 +6634,16 @@
    <translation>das Rad der Arbeit: {low} … {high} µm, Mittel {means} µm</translation>
   </message>
   <message>
+   <source>the record does not say what was found</source>
+   <translation>der Prüfbericht sagt nicht, was gefunden wurde</translation>
+  </message>
+  <message>
    <source>the views are not there yet</source>
    <translation>die Ansichten sind noch nicht da</translation>
+  </message>
+  <message>
+   <source>the window shows solids and not the flanks</source>
+   <translation>das Fenster zeigt Körper und nicht die Flanken</translation>
   </message>
   <message>
    <source>theory, section {number}</source>
@@ -5706,12 +6654,20 @@
    <translation>dritte Methode, Mittel</translation>
   </message>
   <message>
+   <source>this takes more memory than the {limit} MB that the CAD kernel may have; ask for less, or raise the limit in the preferences</source>
+   <translation>das braucht mehr Speicher als die {limit} MB, die der CAD-Kern haben darf; weniger verlangen oder die Grenze in den Einstellungen anheben</translation>
+  </message>
+  <message>
    <source>tip</source>
    <translation>Kopf</translation>
   </message>
   <message>
    <source>toe</source>
    <translation>Zehe</translation>
+  </message>
+  <message>
+   <source>tolerance</source>
+   <translation>Toleranz</translation>
   </message>
   <message>
    <source>tolerance {value}</source>
@@ -5738,6 +6694,10 @@
    <translation>Dreiecke, zum Drucken</translation>
   </message>
   <message>
+   <source>turn</source>
+   <translation>drehen</translation>
+  </message>
+  <message>
    <source>turn of contact over the face at half the depth, over the pitch</source>
    <translation>Drehung des Kontakts über die Breite in halber Höhe, durch die Teilung</translation>
   </message>
@@ -5750,6 +6710,10 @@
    <translation>Drehung des Kontakts über die ganze Flanke, durch die Teilung</translation>
   </message>
   <message>
+   <source>turn of the pinion [°]</source>
+   <translation>Drehung des Ritzels [°]</translation>
+  </message>
+  <message>
    <source>updating…</source>
    <translation>wird erneuert…</translation>
   </message>
@@ -5760,10 +6724,6 @@
   <message>
    <source>valid</source>
    <translation>gültig</translation>
-  </message>
-  <message>
-   <source>views: the window shows solids and not the flanks</source>
-   <translation>Ansichten: das Fenster zeigt Körper, nicht die Flanken</translation>
   </message>
   <message>
    <source>waiting for the CAD kernel</source>
@@ -5786,8 +6746,16 @@
    <translation>Rad</translation>
   </message>
   <message>
+   <source>whole gear</source>
+   <translation>ganzes Rad</translation>
+  </message>
+  <message>
    <source>with the backlash's share</source>
    <translation>mit dem Anteil des Flankenspiels</translation>
+  </message>
+  <message>
+   <source>within</source>
+   <translation>innerhalb</translation>
   </message>
   <message>
    <source>writing…</source>
@@ -5838,16 +6806,48 @@
    <translation>{count}: das letzte gute Modell bleibt</translation>
   </message>
   <message>
+   <source>{curve}, spiral angle {spiral}° ({place}), pressure angle {pressure}° ({kind})</source>
+   <translation>{curve}, Spiralwinkel {spiral}° ({place}), Eingriffswinkel {pressure}° ({kind})</translation>
+  </message>
+  <message>
+   <source>{direction}, {size}″ peak to peak</source>
+   <translation>{direction}, {size}″ Spitze zu Spitze</translation>
+  </message>
+  <message>
+   <source>{direction}: ease-off and lines of contact</source>
+   <translation>{direction}: Ease-off und Berührlinien</translation>
+  </message>
+  <message>
    <source>{faces} faces · flanks within {largest} · built in {took}</source>
    <translation>{faces} Flächen · Flanken innerhalb {largest} · gebaut in {took}</translation>
+  </message>
+  <message>
+   <source>{face}, tooth {number}</source>
+   <translation>{face}, Zahn {number}</translation>
+  </message>
+  <message>
+   <source>{fields} and {count} more</source>
+   <translation>{fields} und {count} weitere</translation>
   </message>
   <message>
    <source>{file}, against the {member}</source>
    <translation>{file}, gegen {member}</translation>
   </message>
   <message>
+   <source>{file}, against the {member}.</source>
+   <translation>{file}, verglichen mit: {member}.</translation>
+  </message>
+  <message>
    <source>{file}, against the {member}: points of {flanks} flank faces of {faces}</source>
    <translation>{file}, gegen {member}: Punkte von {flanks} Flanken aus {faces} Flächen</translation>
+  </message>
+  <message>
+   <source>{file}, against the {member}: points of {flanks} flank faces of {faces}.</source>
+   <translation>{file}, verglichen mit: {member}; Punkte von {flanks} Flankenflächen von {faces} Flächen.</translation>
+  </message>
+  <message>
+   <source>{flank}, {member}: signed deviation, plus is metal added; each map has a scale of its own.</source>
+   <translation>{flank}, {member}: Abweichung mit Vorzeichen, plus bedeutet mehr Werkstoff; jede Karte hat ihre eigene Skala.</translation>
   </message>
   <message>
    <source>{keys} belongs to “{command}”, which would lose it.</source>
@@ -5862,10 +6862,6 @@
    <translation>{member} {face}: innerhalb {largest} µm der Theorie ({limit} µm erlaubt)</translation>
   </message>
   <message>
-   <source>{member}, cut face</source>
-   <translation>{member}, Schnittfläche</translation>
-  </message>
-  <message>
    <source>{member}, {face}, tooth {number}</source>
    <translation>{member}, {face}, Zahn {number}</translation>
   </message>
@@ -5878,8 +6874,32 @@
    <translation>{member}, Flanke {flank}: alle Punkte der Abweichungskarte</translation>
   </message>
   <message>
+   <source>{member}, {method}: 5 × 9 points, plus is upwards.</source>
+   <translation>{member}, {method}: 5 × 9 Punkte, plus ist oben.</translation>
+  </message>
+  <message>
+   <source>{member}: Gaussian curvature, theory and the optimised surfaces on one scale.</source>
+   <translation>{member}: Gaußsche Krümmung, Theorie und die optimierten Flächen auf einer Skala.</translation>
+  </message>
+  <message>
+   <source>{member}: deviation at 7 × 7 points of each flank; dotted: the means that the paper states.</source>
+   <translation>{member}: Abweichung an 7 × 7 Punkten jeder Flanke; gepunktet: die Mittelwerte, die die Veröffentlichung nennt.</translation>
+  </message>
+  <message>
+   <source>{member}: largest deviation over both flanks against the effort.</source>
+   <translation>{member}: größte Abweichung über beide Flanken gegen den Aufwand.</translation>
+  </message>
+  <message>
+   <source>{member}: measured deviation, mean of all teeth; a bar upwards and red is metal added.</source>
+   <translation>{member}: gemessene Abweichung, Mittel aller Zähne; ein Balken nach oben und Rot bedeuten mehr Werkstoff.</translation>
+  </message>
+  <message>
    <source>{member}: no blank yet</source>
    <translation>{member}: noch kein Radkörper</translation>
+  </message>
+  <message>
+   <source>{member}: pitch errors of the teeth that were measured.</source>
+   <translation>{member}: Teilungsabweichungen der gemessenen Zähne.</translation>
   </message>
   <message>
    <source>{method}: modifications left out</source>
@@ -5888,6 +6908,10 @@
   <message>
    <source>{method}: the nearest flank that a rigid line sweeps</source>
    <translation>{method}: nächste Flanke, die eine starre Gerade überstreicht</translation>
+  </message>
+  <message>
+   <source>{moment} by {program}, {kernel}</source>
+   <translation>{moment} mit {program}, {kernel}</translation>
   </message>
   <message>
    <source>{name} (missing)</source>
@@ -5934,6 +6958,18 @@
    <translation>{passed} von {all} veröffentlichten Werten stimmen bis zur letzten gedruckten Ziffer</translation>
   </message>
   <message>
+   <source>{pinion} / {wheel} teeth, outer module {module} mm, shaft angle {angle}°, {hand}</source>
+   <translation>{pinion} / {wheel} Zähne, äußerer Modul {module} mm, Achsenwinkel {angle}°, {hand}</translation>
+  </message>
+  <message>
+   <source>{quantity}, {flank}</source>
+   <translation>{quantity}, {flank}</translation>
+  </message>
+  <message>
+   <source>{size} µm for the optimised variants</source>
+   <translation>{size} µm für die optimierten Varianten</translation>
+  </message>
+  <message>
    <source>{summary} ({section} of the paper)</source>
    <translation>{summary} ({section} der Arbeit)</translation>
   </message>
@@ -5964,12 +7000,20 @@ Ein Ende ziehen ändert den Bereich, Doppelklick gibt ihn ein. Grau: kein Wert</
    <translation>{title}[*] – GearStudio</translation>
   </message>
   <message>
+   <source>{view}: {problem}</source>
+   <translation>{view}: {problem}</translation>
+  </message>
+  <message>
    <source>{words}; {failed} do not.</source>
    <translation>{words}; {failed} nicht.</translation>
   </message>
   <message>
    <source>{w} × {h} pixels</source>
    <translation>{w} × {h} Bildpunkte</translation>
+  </message>
+  <message>
+   <source>×1, as it is</source>
+   <translation>×1, wie es ist</translation>
   </message>
   <message>
    <source>Σ  shaft angle</source>
@@ -6135,6 +7179,10 @@ Ein Ende ziehen ändert den Bereich, Doppelklick gibt ihn ein. Grau: kein Wert</
    <translation>ein Messerkopf mit Radius {0} mm überquert nicht die ganze Zahnbreite</translation>
   </message>
   <message>
+   <source>a cutter radius of {0} mm</source>
+   <translation>einem Messerkopfradius von {0} mm</translation>
+  </message>
+  <message>
    <source>a face is missing or not valid</source>
    <translation>eine Fläche fehlt oder ist ungültig</translation>
   </message>
@@ -6163,10 +7211,6 @@ Ein Ende ziehen ändert den Bereich, Doppelklick gibt ihn ein. Grau: kein Wert</
    <translation>eine {0} mm lange Nabe reicht über die Zehe hinaus; höchstens {1} mm nehmen</translation>
   </message>
   <message>
-   <source>a larger clearance or shallower teeth</source>
-   <translation>größeres Kopfspiel oder niedrigere Zähne</translation>
-  </message>
-  <message>
    <source>a larger pressure angle or more teeth</source>
    <translation>einen größeren Eingriffswinkel oder mehr Zähne</translation>
   </message>
@@ -6192,7 +7236,11 @@ Ein Ende ziehen ändert den Bereich, Doppelklick gibt ihn ein. Grau: kein Wert</
   </message>
   <message>
    <source>a pressure angle of {0}°</source>
-   <translation>einen Eingriffswinkel von {0}°</translation>
+   <translation>einem Eingriffswinkel von {0}°</translation>
+  </message>
+  <message>
+   <source>a profile shift of {0}</source>
+   <translation>einer Profilverschiebung von {0}</translation>
   </message>
   <message>
    <source>a shaft angle of {0}° makes the wheel's pitch cone {1}°; it must stay below {2}°: use at most {3}°</source>
@@ -6225,6 +7273,10 @@ Ein Ende ziehen ändert den Bereich, Doppelklick gibt ihn ein. Grau: kein Wert</
   <message>
    <source>a smaller profile shift or pressure angle</source>
    <translation>kleinere Profilverschiebung oder kleineren Eingriffswinkel</translation>
+  </message>
+  <message>
+   <source>a spiral angle of {0}°</source>
+   <translation>einem Spiralwinkel von {0}°</translation>
   </message>
   <message>
    <source>a spiral angle of {0}° on the {1} with an offset of {2} mm turns the {3}'s teeth against their hand, to {4}°; {5} or an offset of the other sign</source>
@@ -6271,6 +7323,18 @@ Ein Ende ziehen ändert den Bereich, Doppelklick gibt ihn ein. Grau: kein Wert</
    <translation>Radkörper {0}</translation>
   </message>
   <message>
+   <source>building</source>
+   <translation>wird gebaut</translation>
+  </message>
+  <message>
+   <source>building {0}, {1}, {2}</source>
+   <translation>{0}, {1}, {2} wird gebaut</translation>
+  </message>
+  <message>
+   <source>checking</source>
+   <translation>wird geprüft</translation>
+  </message>
+  <message>
    <source>choosing faces</source>
    <translation>Flächen werden gewählt</translation>
   </message>
@@ -6291,6 +7355,10 @@ Ein Ende ziehen ändert den Bereich, Doppelklick gibt ihn ein. Grau: kein Wert</
    <translation>Flanken werden fortgesetzt</translation>
   </message>
   <message>
+   <source>convergence</source>
+   <translation>Konvergenz</translation>
+  </message>
+  <message>
    <source>cutting of the {0}</source>
    <translation>Schneiden: {0}</translation>
   </message>
@@ -6305,6 +7373,10 @@ Ein Ende ziehen ändert den Bereich, Doppelklick gibt ihn ein. Grau: kein Wert</
   <message>
    <source>does not reach everywhere: {0}</source>
    <translation>reicht nicht überallhin: {0}</translation>
+  </message>
+  <message>
+   <source>drawing {0}</source>
+   <translation>{0} wird gezeichnet</translation>
   </message>
   <message>
    <source>face angle {0}° and root angle {1}° of the wheel must lie between 0° and 90°; use smaller addendum and dedendum angles or the uniform taper</source>
@@ -6325,6 +7397,10 @@ Ein Ende ziehen ändert den Bereich, Doppelklick gibt ihn ein. Grau: kein Wert</
   <message>
    <source>format {0} is unknown; this program reads format {1}</source>
    <translation>Format {0} ist unbekannt; dieses Programm liest Format {1}</translation>
+  </message>
+  <message>
+   <source>geometry data sheet</source>
+   <translation>Datenblatt der Geometrie</translation>
   </message>
   <message>
    <source>give the pair deeper teeth or a larger overlap</source>
@@ -6475,8 +7551,8 @@ Ein Ende ziehen ändert den Bereich, Doppelklick gibt ihn ein. Grau: kein Wert</
    <translation>kein Kontakt: in einer Stellung steht kein Ritzelzahn einer Flanke des Rads gegenüber; {0}</translation>
   </message>
   <message>
-   <source>no fillet of {0} mm joins root and start of contact on the {1}'s {2} flank; use a smaller fillet factor or a larger clearance</source>
-   <translation>keine Fußrundung von {0} mm verbindet Fuß und Kontaktbeginn am {1}, Flanke {2}; kleineren Fußrundungsfaktor oder größeres Kopfspiel nehmen</translation>
+   <source>no fillet of {0} mm joins root and start of contact on the {1}'s {2} flank</source>
+   <translation>keine Fußrundung von {0} mm verbindet Fuß und Eingriffsbeginn an der Flanke {2} ({1})</translation>
   </message>
   <message>
    <source>no known format; use {0}</source>
@@ -6547,8 +7623,16 @@ Ein Ende ziehen ändert den Bereich, Doppelklick gibt ihn ein. Grau: kein Wert</
    <translation>psi, Linie</translation>
   </message>
   <message>
+   <source>reading</source>
+   <translation>wird gelesen</translation>
+  </message>
+  <message>
    <source>recovery format {0} is not the {1} that this program reads</source>
    <translation>Wiederherstellungsformat {0} ist nicht {1}, das dieses Programm liest</translation>
+  </message>
+  <message>
+   <source>setting the pages</source>
+   <translation>Seiten werden gesetzt</translation>
   </message>
   <message>
    <source>smaller amounts on both flanks of this member</source>
@@ -6655,8 +7739,8 @@ Ein Ende ziehen ändert den Bereich, Doppelklick gibt ihn ein. Grau: kein Wert</
    <translation>die Fußrundung eines Hypoidzahns wurde nicht gefunden</translation>
   </message>
   <message>
-   <source>the fillets of neighbouring {0} teeth overlap; use a smaller fillet factor</source>
-   <translation>die Fußrundungen benachbarter Zähne am {0} überlappen; kleineren Fußrundungsfaktor nehmen</translation>
+   <source>the fillets of neighbouring {0} teeth overlap, however small they are</source>
+   <translation>die Fußrundungen benachbarter Zähne ({0}) überschneiden sich, wie klein sie auch sind</translation>
   </message>
   <message>
    <source>the film could not be encoded</source>
@@ -6747,6 +7831,14 @@ Ein Ende ziehen ändert den Bereich, Doppelklick gibt ihn ein. Grau: kein Wert</
    <translation>die Punkte unterscheiden Drehen und Schieben nicht; mehr von den Flanken messen oder eines festhalten</translation>
   </message>
   <message>
+   <source>the points fit this {0} badly: {1} µm rms are left after the best fit, and no single number of the design explains them. Check that the part is of this design, and all points of its flanks</source>
+   <translation>die Punkte passen schlecht zu diesem {0}: {1} µm (quadratisches Mittel) bleiben nach der besten Einpassung, und keine einzelne Zahl des Entwurfs erklärt sie. Prüfen Sie, ob das Teil zu diesem Entwurf gehört und alle Punkte auf seinen Flanken liegen</translation>
+  </message>
+  <message>
+   <source>the points fit this {0} badly: {1} µm rms are left after the best fit; {2}. Check that the part is of this design, or give the design the value that it was made with</source>
+   <translation>die Punkte passen schlecht zu diesem {0}: {1} µm (quadratisches Mittel) bleiben nach der besten Einpassung; {2}. Prüfen Sie, ob das Teil zu diesem Entwurf gehört, oder geben Sie dem Entwurf den Wert, mit dem es gefertigt wurde</translation>
+  </message>
+  <message>
    <source>the points look as if they were in {0}: multiplied by {1} they lie on the {2}'s teeth; convert them to mm</source>
    <translation>die Punkte sehen aus wie in {0}: mal {1} liegen sie auf den Zähnen vom {2}; in mm umrechnen</translation>
   </message>
@@ -6807,10 +7899,6 @@ Ein Ende ziehen ändert den Bereich, Doppelklick gibt ihn ein. Grau: kein Wert</
    <translation>das Volumen weicht um {0} ab</translation>
   </message>
   <message>
-   <source>the volume of a {0} with end chamfers is integrated without an offset only</source>
-   <translation>das Volumen mit Endfasen wird nur ohne Achsversatz integriert: {0}</translation>
-  </message>
-  <message>
    <source>the web's front face, {0} mm from the apex, must lie on the front cone between {1} and {2} mm; change the thickness by {3} mm</source>
    <translation>die Vorderfläche des Stegs, {0} mm von der Spitze, muss auf dem Vorderkegel zwischen {1} und {2} mm liegen; die Dicke um {3} mm ändern</translation>
   </message>
@@ -6835,10 +7923,6 @@ Ein Ende ziehen ändert den Bereich, Doppelklick gibt ihn ein. Grau: kein Wert</
    <translation>das {0} eines Paars mit {1}</translation>
   </message>
   <message>
-   <source>the {0}'s flanks are undercut so near the start of contact that the fillets below overlap; use a smaller clearance factor, or a mean addendum factor that gives the pinion more profile shift</source>
-   <translation>Die Flanken ({0}) sind so nahe am Beginn des Eingriffs unterschnitten, dass sich die Fußrundungen darunter überschneiden; einen kleineren Kopfspielfaktor nehmen oder einen mittleren Kopfhöhenfaktor, der dem Ritzel mehr Profilverschiebung gibt</translation>
-  </message>
-  <message>
    <source>the {0}'s flanks are up to {1} µm from those of the design, which a rotating line cannot sweep; the faces are held against the flanks that it does sweep</source>
    <translation>die Flanken am {0} liegen bis {1} µm von denen des Entwurfs, die eine rollende Gerade nicht überstreicht; geprüft wird gegen die, die sie überstreicht</translation>
   </message>
@@ -6849,10 +7933,6 @@ Ein Ende ziehen ändert den Bereich, Doppelklick gibt ihn ein. Grau: kein Wert</
   <message>
    <source>the {0}'s teeth are pointed below their face cone</source>
    <translation>die Zähne am {0} sind unter dem Kopfkegel spitz</translation>
-  </message>
-  <message>
-   <source>the {0}'s {1} flank meets its base cone along its fillet; use another fillet factor</source>
-   <translation>die Flanke ({1}) am {0} trifft entlang der Fußrundung ihren Grundkegel; anderen Fußrundungsfaktor nehmen</translation>
   </message>
   <message>
    <source>the {0}'s {1} {2}</source>
@@ -6947,6 +8027,10 @@ Ein Ende ziehen ändert den Bereich, Doppelklick gibt ihn ein. Grau: kein Wert</
    <translation>Ende an der Zehe</translation>
   </message>
   <message>
+   <source>tooth contact</source>
+   <translation>Zahnkontakt</translation>
+  </message>
+  <message>
    <source>tooth {0} {1}</source>
    <translation>Zahn {0} {1}</translation>
   </message>
@@ -6979,12 +8063,24 @@ Ein Ende ziehen ändert den Bereich, Doppelklick gibt ihn ein. Grau: kein Wert</
    <translation>Zahnhöhenfaktor {0} mit mittlerem Kopfhöhenfaktor {1} nehmen</translation>
   </message>
   <message>
+   <source>use a larger clearance or shallower teeth</source>
+   <translation>größeres Kopfspiel oder flachere Zähne verwenden</translation>
+  </message>
+  <message>
    <source>use a mean addendum factor of {0} (a profile shift of the pinion of {1})</source>
    <translation>mittleren Kopfhöhenfaktor {0} nehmen (Profilverschiebung des Ritzels {1})</translation>
   </message>
   <message>
    <source>use a pressure angle of {0}° with a mean addendum factor of {1}</source>
    <translation>Eingriffswinkel {0}° mit mittlerem Kopfhöhenfaktor {1} nehmen</translation>
+  </message>
+  <message>
+   <source>use a smaller clearance, or other depths that leave the teeth more space at the root</source>
+   <translation>kleineres Kopfspiel verwenden oder andere Höhen, die den Zähnen am Fuß mehr Raum lassen</translation>
+  </message>
+  <message>
+   <source>use a smaller fillet factor or a larger clearance</source>
+   <translation>kleineren Fußrundungsfaktor oder größeres Kopfspiel verwenden</translation>
   </message>
   <message>
    <source>use a smaller offset</source>
@@ -7015,6 +8111,14 @@ Ein Ende ziehen ändert den Bereich, Doppelklick gibt ihn ein. Grau: kein Wert</
    <translation>{0} nehmen</translation>
   </message>
   <message>
+   <source>waiting for pictures</source>
+   <translation>warten auf Bilder</translation>
+  </message>
+  <message>
+   <source>weighing</source>
+   <translation>wird gewogen</translation>
+  </message>
+  <message>
    <source>whole number</source>
    <translation>ganze Zahl</translation>
   </message>
@@ -7027,6 +8131,10 @@ Ein Ende ziehen ändert den Bereich, Doppelklick gibt ihn ein. Grau: kein Wert</
    <translation>mit Achsversatz gilt der Spiralwinkel im Mittelpunkt; Mitte wählen</translation>
   </message>
   <message>
+   <source>with {0} instead of {1} it would be {2} µm</source>
+   <translation>mit {0} statt {1} wären es {2} µm</translation>
+  </message>
+  <message>
    <source>writing {0}</source>
    <translation>{0} wird geschrieben</translation>
   </message>
@@ -7037,6 +8145,10 @@ Ein Ende ziehen ändert den Bereich, Doppelklick gibt ihn ein. Grau: kein Wert</
   <message>
    <source>{0} after reading the file back</source>
    <translation>{0} nach dem Zurücklesen der Datei</translation>
+  </message>
+  <message>
+   <source>{0} asks for fillets of {1} mm on the {2}, which do not fit between its flanks and its root; they get {3} mm, as with a fillet factor of {4}</source>
+   <translation>{0} verlangt Fußrundungen von {1} mm ({2}), die zwischen Flanken und Fuß nicht passen; sie bekommen {3} mm, wie mit einem Fußrundungsfaktor von {4}</translation>
   </message>
   <message>
    <source>{0} cannot be a {1}; {2}</source>
@@ -7099,8 +8211,8 @@ Ein Ende ziehen ändert den Bereich, Doppelklick gibt ihn ein. Grau: kein Wert</
    <translation>{0} lässt einem Rad im Mittelpunkt keine Kopfhöhe; kleinere Profilverschiebung oder größeren Kopfhöhenfaktor nehmen</translation>
   </message>
   <message>
-   <source>{0} leaves the {1} no root: {2}{3}</source>
-   <translation>{0} lässt dem {1} keinen Fuß: {2}{3}</translation>
+   <source>{0} leaves the {1} no root: {2}; {3}</source>
+   <translation>{0} lässt keinen Zahnfuß ({1}): {2}; {3}</translation>
   </message>
   <message>
    <source>{0} leaves the {1} no {2} ({3} mm): its teeth do not reach across the pitch cone; use {4}</source>
@@ -7173,6 +8285,14 @@ Ein Ende ziehen ändert den Bereich, Doppelklick gibt ihn ein. Grau: kein Wert</
   <message>
    <source>{0} solids instead of {1} were found</source>
    <translation>{0} Körper statt {1} gefunden</translation>
+  </message>
+  <message>
+   <source>{0} teeth</source>
+   <translation>{0} Zähne</translation>
+  </message>
+  <message>
+   <source>{0} to {1}</source>
+   <translation>{0} bis {1}</translation>
   </message>
   <message>
    <source>{0} tooth of the {1}</source>

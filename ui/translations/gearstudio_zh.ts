@@ -44,6 +44,10 @@
    <translation>复制(&amp;C)</translation>
   </message>
   <message>
+   <source>&amp;Copy picture and numbers</source>
+   <translation>复制图片和数据(&amp;C)</translation>
+  </message>
+  <message>
    <source>&amp;Differences only</source>
    <translation>仅差异(&amp;D)</translation>
   </message>
@@ -180,6 +184,14 @@
    <translation>保存 PDF(&amp;S)…</translation>
   </message>
   <message>
+   <source>&amp;Save…</source>
+   <translation>保存(&amp;S)…</translation>
+  </message>
+  <message>
+   <source>&amp;Show equation</source>
+   <translation>显示公式(&amp;S)</translation>
+  </message>
+  <message>
    <source>&amp;Stop</source>
    <translation>停止(&amp;S)</translation>
   </message>
@@ -212,8 +224,16 @@
    <translation>视图(&amp;V)</translation>
   </message>
   <message>
+   <source>&amp;View all</source>
+   <translation>全部显示(&amp;V)</translation>
+  </message>
+  <message>
    <source>&amp;What is this?</source>
    <translation>这是什么？(&amp;W)</translation>
+  </message>
+  <message>
+   <source>, offset {offset} mm</source>
+   <translation>，偏置距 {offset} mm</translation>
   </message>
   <message>
    <source>1 problem</source>
@@ -308,12 +328,20 @@
    <translation>通过 U、V 线上离散点的 NURBS 曲面</translation>
   </message>
   <message>
-   <source>A circle on the sphere, tangent to root and flank (or to the meridian below the base cone); it scales with ρ.</source>
-   <translation>球面上与齿根和齿面（基锥以下为子午线）相切的圆；随 ρ 缩放。</translation>
+   <source>A circle on the sphere, tangent to root and flank (or to the meridian below the base cone); it scales with ρ. The paper's factor f is 0.3.</source>
+   <translation>球面上与齿根和齿面（基锥以下为子午线）相切的圆；随 ρ 缩放。论文的系数 f 为 0.3。</translation>
   </message>
   <message>
    <source>A click shows this method and variant; Ctrl+C copies the rows chosen</source>
    <translation>单击显示该方法与方案；Ctrl+C 复制所选行</translation>
+  </message>
+  <message>
+   <source>A cube too, from where it ends down to the flank's lower edge; a_r is the share of the depth there.</source>
+   <translation>同为三次函数，从终点向下到齿面下边缘； a_r 为该处占齿面高度的份额。</translation>
+  </message>
+  <message>
+   <source>A cube, so that slope and curvature have no kink where it starts; a_t is the share of the depth there.</source>
+   <translation>三次函数，使起点处斜率和曲率没有折角； a_t 为该处占齿面高度的份额。</translation>
   </message>
   <message>
    <source>A few letters are enough; Up and Down choose, Enter carries out</source>
@@ -328,16 +356,24 @@
    <translation>根号下有印刷错误：球面直角三角形给出 cos²δ。</translation>
   </message>
   <message>
-   <source>A new language is spoken from the next window on; File ▸ New window opens one.</source>
-   <translation>新语言从下一个窗口起生效；“文件 ▸ 新窗口”可打开一个。</translation>
-  </message>
-  <message>
-   <source>A number above 0, at most {most:g} kg/m³</source>
-   <translation>大于 0、至多 {most:g} kg/m³ 的数</translation>
+   <source>A number above 0, at most {most}</source>
+   <translation>大于 0 且不超过 {most} 的数</translation>
   </message>
   <message>
    <source>A part of GearStudio could not be loaded: {text}</source>
    <translation>GearStudio 的一部分无法加载：{text}</translation>
+  </message>
+  <message>
+   <source>A picture is missing: {reason}</source>
+   <translation>缺少一幅图：{reason}</translation>
+  </message>
+  <message>
+   <source>A point is turned about the axis by as much as moves it by e along the flank's normal: the flank stays explicit in azimuth. The methods build this flank, and deviation is from it.</source>
+   <translation>将点绕轴转动，使其沿齿面法线移动 e：齿面仍以方位角显式表达。各方法构建此齿面，偏差也以它为准。</translation>
+  </message>
+  <message>
+   <source>A point of the wheel's flank touches the pinion where its normal stands square to the relative velocity. That is linear in the cosine and the sine of its azimuth Φ: the envelope has a closed form.</source>
+   <translation>大轮齿面上的点在其法线垂直于相对速度处与小轮接触。该条件对其方位角 Φ 的余弦和正弦是线性的：包络面有闭合形式。</translation>
   </message>
   <message>
    <source>A ratio that changes with n cannot be the count of points.</source>
@@ -356,12 +392,20 @@
    <translation>取整的长度；透视时以中部为准</translation>
   </message>
   <message>
+   <source>A section at ρ is turned by θ(ρ). ψ_t is the tooth trace's polar angle in the developed pitch plane, 0 at the mean point: of an Archimedean spiral, of the cutter's arc or of a logarithmic spiral. The hand is +1 for a right-hand spiral; the mate has the other.</source>
+   <translation>ρ 处的截面转过 θ(ρ) 。 ψ_t 是齿线在展开节平面内的极角，中点处为 0：阿基米德螺旋线、刀盘圆弧或对数螺旋线。右旋时 hand 为 +1；配对轮相反。</translation>
+  </message>
+  <message>
+   <source>A square marks a corner or the middle of an edge near by; a click takes that point</source>
+   <translation>方框标出附近的角点或边的中点；单击即取该点</translation>
+  </message>
+  <message>
    <source>A turned copy is the same flank of another tooth.</source>
    <translation>旋转副本是另一齿的同一齿面。</translation>
   </message>
   <message>
-   <source>A value with another unit can always be typed: 3in, 76.2mm. Deviations stay in µm and nm.</source>
-   <translation>随时可键入带其他单位的值：3in、76.2mm。偏差仍用 µm 和 nm。</translation>
+   <source>A value with another unit can always be typed: 3in, 76.2mm.</source>
+   <translation>随时可以输入带其他单位的值：3in、76.2mm。</translation>
   </message>
   <message>
    <source>AP203</source>
@@ -456,12 +500,20 @@
    <translation>全部三种</translation>
   </message>
   <message>
+   <source>Along the axis, from the largest corner of the tip. t_z is how far the pitch apex lies beyond the crossing point; 0 without an offset.</source>
+   <translation>沿轴线，从齿顶最大的角点起。 t_z 为节锥顶超出轴线交错点的距离；无偏置时为 0。</translation>
+  </message>
+  <message>
    <source>Along the face</source>
    <translation>沿齿宽</translation>
   </message>
   <message>
    <source>Along the face, at half the depth of the flank</source>
    <translation>沿齿宽，齿面高度一半处</translation>
+  </message>
+  <message>
+   <source>Along the pitch circle at the heel; in the normal section at the mean point; the chord of that, which a gear tooth caliper measures.</source>
+   <translation>大端节圆上的弧长；中点法截面内的弧长；以及其弦长，由齿厚卡尺测量。</translation>
   </message>
   <message>
    <source>Along the profile</source>
@@ -520,6 +572,10 @@
    <translation>面积</translation>
   </message>
   <message>
+   <source>Area of the pinion's flank over that of the wheel's which generates it; 0 is a cusp, less than 0 undercut. The numbers are the smallest of both flanks, and where.</source>
+   <translation>小轮齿面面积与生成它的大轮齿面面积之比；0 为脊线，小于 0 为根切。数值为两侧齿面的最小值及其位置。</translation>
+  </message>
+  <message>
    <source>Arrows along the normals of the CAD flanks</source>
    <translation>沿 CAD 齿面法线的箭头</translation>
   </message>
@@ -552,6 +608,10 @@
    <translation>跟随主题</translation>
   </message>
   <message>
+   <source>As they are computed, in the order of the theory; beside a bar what the paper prints where that differs.</source>
+   <translation>按实际计算所用的形式列出，顺序同理论；论文印刷形式不同之处列于竖线旁。</translation>
+  </message>
+  <message>
    <source>As {format}</source>
    <translation>存为 {format}</translation>
   </message>
@@ -562,6 +622,18 @@
   <message>
    <source>Assign</source>
    <translation>指定</translation>
+  </message>
+  <message>
+   <source>At a cone distance R'; θ_a and θ_f lie between pitch cone and face cone, and pitch cone and root cone.</source>
+   <translation>在锥距 R' 处； θ_a 和 θ_f 分别为节锥与面锥、节锥与根锥之间的角。</translation>
+  </message>
+  <message>
+   <source>At the heel, square to the pitch cone; the profile shift x is the pinion's, the wheel has its negative.</source>
+   <translation>在大端，垂直于节锥；变位系数 x 属于小轮，大轮取其负值。</translation>
+  </message>
+  <message>
+   <source>At the mean point. With the outer module as depth system of a pair with an offset the factors are those that give the depths of the module at the wheel's heel.</source>
+   <translation>在中点。有偏置的齿轮副采用大端模数齿高制时，这些系数使大轮大端得到由模数确定的齿高。</translation>
   </message>
   <message>
    <source>Auto</source>
@@ -708,6 +780,10 @@
    <translation>{member}轮坯</translation>
   </message>
   <message>
+   <source>Blanks</source>
+   <translation>轮坯</translation>
+  </message>
+  <message>
    <source>Blue – orange</source>
    <translation>蓝 – 橙</translation>
   </message>
@@ -724,12 +800,20 @@
    <translation>两者相同。</translation>
   </message>
   <message>
+   <source>Both cones touch at the mean point; ζ_m is the offset angle about the wheel's axis, ζ_mp that in the pitch plane. One number is left free, which the limit radius closes.</source>
+   <translation>两锥在中点相切； ζ_m 为绕大轮轴的偏置角， ζ_mp 为节平面内的偏置角。剩下一个自由量，由极限半径确定。</translation>
+  </message>
+  <message>
    <source>Both flanks as the method made them, in one colour</source>
    <translation>方法生成的两侧齿面，单色</translation>
   </message>
   <message>
    <source>Both members</source>
    <translation>两轮</translation>
+  </message>
+  <message>
+   <source>Both members have the same normal module, but not the same transverse one.</source>
+   <translation>两轮的法向模数相同，端面模数不同。</translation>
   </message>
   <message>
    <source>Brass</source>
@@ -854,6 +938,14 @@
   <message>
    <source>Cast iron</source>
    <translation>铸铁</translation>
+  </message>
+  <message>
+   <source>Centre along face</source>
+   <translation>沿齿宽的中心</translation>
+  </message>
+  <message>
+   <source>Centre on profile</source>
+   <translation>沿齿廓的中心</translation>
   </message>
   <message>
    <source>Centre z</source>
@@ -1136,6 +1228,10 @@
    <translation>等顶隙</translation>
   </message>
   <message>
+   <source>Constant slot width</source>
+   <translation>等槽宽</translation>
+  </message>
+  <message>
    <source>Construction</source>
    <translation>构造</translation>
   </message>
@@ -1152,6 +1248,10 @@
    <translation>接触斑点与传动误差，含安装误差</translation>
   </message>
   <message>
+   <source>Contact pattern on both members.</source>
+   <translation>两轮上的接触斑点。</translation>
+  </message>
+  <message>
    <source>Contact pattern, ease-off and transmission error, drive and coast</source>
    <translation>接触斑点、Ease-off 与传动误差，正反驱动</translation>
   </message>
@@ -1162,6 +1262,10 @@
   <message>
    <source>Contact ratios</source>
    <translation>重合度</translation>
+  </message>
+  <message>
+   <source>Contact ratios with an offset</source>
+   <translation>有偏置时的重合度</translation>
   </message>
   <message>
    <source>Contour lines</source>
@@ -1204,6 +1308,14 @@
    <translation>已将数据表复制为 {format}</translation>
   </message>
   <message>
+   <source>Copied the numbers of the chart; paste them into a spreadsheet</source>
+   <translation>已复制图表数据；可粘贴到电子表格</translation>
+  </message>
+  <message>
+   <source>Copied the picture of the chart</source>
+   <translation>已复制图表图片</translation>
+  </message>
+  <message>
    <source>Copied; paste it into a spreadsheet</source>
    <translation>已复制；可粘贴到电子表格</translation>
   </message>
@@ -1222,6 +1334,14 @@
   <message>
    <source>Copy &amp;diagnostics</source>
    <translation>复制诊断信息(&amp;D)</translation>
+  </message>
+  <message>
+   <source>Copy &amp;numbers</source>
+   <translation>复制数据(&amp;N)</translation>
+  </message>
+  <message>
+   <source>Copy &amp;picture</source>
+   <translation>复制图片(&amp;P)</translation>
   </message>
   <message>
    <source>Copy &amp;table</source>
@@ -1348,6 +1468,10 @@
    <translation>刀盘半径</translation>
   </message>
   <message>
+   <source>D is the drive flank, concave on the pinion and convex on the wheel; C is the coast flank. Each flank of the wheel is a spherical involute on a base cone of its own.</source>
+   <translation>D 为正驱动面，在小轮上为凹面，在大轮上为凸面；C 为反驱动面。大轮的每个齿面都是各自基锥上的球面渐开线。</translation>
+  </message>
+  <message>
    <source>Dark</source>
    <translation>深色</translation>
   </message>
@@ -1408,12 +1532,16 @@
    <translation>点密度</translation>
   </message>
   <message>
-   <source>Density of the material in kg/m³</source>
-   <translation>材料密度，kg/m³</translation>
+   <source>Density of the material in {unit}</source>
+   <translation>材料密度，单位 {unit}</translation>
   </message>
   <message>
    <source>Depth</source>
    <translation>齿高</translation>
+  </message>
+  <message>
+   <source>Depth after ISO 23509</source>
+   <translation>ISO 23509 齿高</translation>
   </message>
   <message>
    <source>Depth factor</source>
@@ -1426,6 +1554,14 @@
   <message>
    <source>Depths</source>
    <translation>齿高</translation>
+  </message>
+  <message>
+   <source>Depths along the tooth</source>
+   <translation>沿齿向的齿高</translation>
+  </message>
+  <message>
+   <source>Depths from the module</source>
+   <translation>由模数确定的齿高</translation>
   </message>
   <message>
    <source>Derived values</source>
@@ -1500,6 +1636,10 @@
    <translation>点的偏差</translation>
   </message>
   <message>
+   <source>Deviation of the CAD surface from the exact flank in µm, normal to it, over both flanks on a grid of 49 × 49 points that includes the edges. The paper states means of {means} µm for its own gear, whose data it does not print.</source>
+   <translation>CAD 曲面相对精确齿面的法向偏差（µm），取两侧齿面上包含边缘的 49 × 49 点网格。论文给出其自身齿轮的平均值 {means} µm，但未印出该齿轮的数据。</translation>
+  </message>
+  <message>
    <source>Deviation, absolute</source>
    <translation>偏差，绝对值</translation>
   </message>
@@ -1508,8 +1648,16 @@
    <translation>偏差，{kind}</translation>
   </message>
   <message>
+   <source>Deviations are normal to the flank, plus is metal added. Errors are those of all teeth of a flank together: of the spiral angle from toe to heel, of the pressure angle from root to tip, crowning as the height of the middle above the ends, the pitch as an arc of the mean pitch circle.</source>
+   <translation>偏差沿齿面法向，正值表示多出材料。各项误差针对同侧齿面的全部轮齿：螺旋角误差由小端到大端，压力角误差由齿根到齿顶，鼓形量为中部高出两端的高度，齿距为中点分度圆上的弧长。</translation>
+  </message>
+  <message>
    <source>Deviations of all methods and variants, as a table and along the flank</source>
    <translation>所有方法与方案的偏差，表格及沿齿面</translation>
+  </message>
+  <message>
+   <source>Deviations stay in µm and nm; the colour scale of the views has µin as well.</source>
+   <translation>偏差始终用 µm 和 nm；视图的色标还可选 µin。</translation>
   </message>
   <message>
    <source>Diameter of a solid shank behind the back face, 0 for none; it replaces the bore.</source>
@@ -1592,6 +1740,22 @@
    <translation>重做已撤销的操作</translation>
   </message>
   <message>
+   <source>Does not hold for this pair, which has an offset or a depth after ISO 23509.</source>
+   <translation>不适用于此齿轮副：它有偏置或采用 ISO 23509 齿高。</translation>
+  </message>
+  <message>
+   <source>Does not hold for this pair, which has no offset and depths from the module.</source>
+   <translation>不适用于此齿轮副：它没有偏置，齿高由模数确定。</translation>
+  </message>
+  <message>
+   <source>Does not hold for this pair, which has no offset.</source>
+   <translation>不适用于此齿轮副：它没有偏置。</translation>
+  </message>
+  <message>
+   <source>Does not hold for this pair, whose axes have an offset.</source>
+   <translation>不适用于此齿轮副：其两轴有偏置。</translation>
+  </message>
+  <message>
    <source>Done again: {step}</source>
    <translation>已重做：{step}</translation>
   </message>
@@ -1602,6 +1766,14 @@
   <message>
    <source>Drag turns, the wheel zooms, a double click centres. Point at a flank to read its deviation there.</source>
    <translation>拖动旋转，滚轮缩放，双击居中。指向齿面即可读取该处偏差。</translation>
+  </message>
+  <message>
+   <source>Draw deviations so many times as large, along the normal</source>
+   <translation>沿法线方向按该倍数放大绘制偏差</translation>
+  </message>
+  <message>
+   <source>Draw the CAD flanks with their deviation so many times as large, along the normal</source>
+   <translation>沿法线方向按该倍数放大偏差来绘制 CAD 齿面</translation>
   </message>
   <message>
    <source>Draw the edges of the faces</source>
@@ -1624,12 +1796,20 @@
    <translation>E  偏置</translation>
   </message>
   <message>
+   <source>Each point P of the pinion, taken to the wheel, needs a turn q to touch. The smallest is the transmission error; what is left of the others is the gap g. Contact is where g is less than the marking compound's thickness.</source>
+   <translation>小轮上的每个点 P 变换到大轮坐标后，需转动 q 才接触。最小的 q 即传动误差；其余的剩余量为间隙 g。g 小于涂料厚度处即为接触。</translation>
+  </message>
+  <message>
    <source>Each save leaves a copy. Going back changes no file until you save, and can be undone.</source>
    <translation>每次保存留一份副本。回退在保存前不改动文件，且可撤销。</translation>
   </message>
   <message>
    <source>Ease-off</source>
    <translation>Ease-off</translation>
+  </message>
+  <message>
+   <source>Ease-off over the pinion's flanks; white throughout where the flanks are exactly conjugate.</source>
+   <translation>小轮齿面上的 ease-off；齿面精确共轭处全为白色。</translation>
   </message>
   <message>
    <source>Edges</source>
@@ -1652,6 +1832,10 @@
    <translation>端部倒角</translation>
   </message>
   <message>
+   <source>End of the scale</source>
+   <translation>色标端点</translation>
+  </message>
+  <message>
    <source>End the CAD process and start a new one</source>
    <translation>结束 CAD 进程并重新启动</translation>
   </message>
@@ -1672,6 +1856,10 @@
    <translation>公式</translation>
   </message>
   <message>
+   <source>Error</source>
+   <translation>误差</translation>
+  </message>
+  <message>
    <source>Errors</source>
    <translation>错误</translation>
   </message>
@@ -1688,6 +1876,10 @@
    <translation>Esc</translation>
   </message>
   <message>
+   <source>Even in the distance and in the polar angle; δ₀ is the flank's lower edge, on the root cone or the base cone. With an offset the pinion's flank begins at the start of contact.</source>
+   <translation>按距离和极角均匀度量； δ₀ 为齿面下边缘，在根锥或基锥上。有偏置时小轮齿面从接触起点开始。</translation>
+  </message>
+  <message>
    <source>Evenly divided; by arc length or denser at the ends on request.</source>
    <translation>等分；也可按弧长或两端加密。</translation>
   </message>
@@ -1696,16 +1888,24 @@
    <translation>设计的每个字段及符号、数值、单位</translation>
   </message>
   <message>
+   <source>Every file was read back after it was written, and held against the exact geometry.</source>
+   <translation>每个文件写出后均已回读，并与精确几何对照。</translation>
+  </message>
+  <message>
    <source>Every formula, what the paper prints, and this design's numbers</source>
    <translation>每个公式、论文印刷形式及本设计的数值</translation>
   </message>
   <message>
-   <source>Every value of the pair. Change one and everything follows; a problem is told at its field. Shift+F1 explains a field.</source>
-   <translation>齿轮副的全部数值。改动一处，其余随之更新；问题显示在字段旁。Shift+F1 说明字段。</translation>
+   <source>Every method built with more and more positions, sections or points, and nothing else refined.</source>
+   <translation>每种方法用越来越多的位置、截面或点构建，其余不作细化。</translation>
   </message>
   <message>
    <source>Every value of the pair; a row explains itself</source>
    <translation>齿轮副的每个值；点行可看说明</translation>
+  </message>
+  <message>
+   <source>Every value of the pair; an offset makes it hypoid. Change one and everything follows, or its problem is told at its field. Shift+F1 explains a field, Ctrl+F1 shows its equation.</source>
+   <translation>齿轮副的全部数值；有偏置即为准双曲面。改动一处，其余随之更新，或在字段旁显示问题。Shift+F1 说明字段，Ctrl+F1 显示其公式。</translation>
   </message>
   <message>
    <source>Everything</source>
@@ -1714,6 +1914,10 @@
   <message>
    <source>Everything else works: parameters, comparison, charts, data sheets and exports.</source>
    <translation>其余功能正常：参数、比较、图表、数据表和导出。</translation>
+  </message>
+  <message>
+   <source>Exaggerate</source>
+   <translation>放大偏差</translation>
   </message>
   <message>
    <source>Expand the analysis</source>
@@ -1740,12 +1944,24 @@
    <translation>面锥角与根锥角</translation>
   </message>
   <message>
+   <source>Face and root cone of the pinion</source>
+   <translation>小轮的面锥与根锥</translation>
+  </message>
+  <message>
    <source>Face angle</source>
    <translation>面锥角</translation>
   </message>
   <message>
    <source>Face apex beyond crossing point</source>
    <translation>面锥顶至轴线交点</translation>
+  </message>
+  <message>
+   <source>Face cone at constant clearance</source>
+   <translation>等顶隙时的面锥</translation>
+  </message>
+  <message>
+   <source>Face farthest from theory</source>
+   <translation>偏离理论最大的面</translation>
   </message>
   <message>
    <source>Face width</source>
@@ -1768,8 +1984,8 @@
    <translation>中点至小端齿宽</translation>
   </message>
   <message>
-   <source>Face width over outer cone distance; a face width in mm wins over it.</source>
-   <translation>齿宽与外锥距之比；若给出 mm 齿宽则以其为准。</translation>
+   <source>Face width over outer cone distance; a face width that is given wins over it.</source>
+   <translation>齿宽与外锥距之比；给定的齿宽优先。</translation>
   </message>
   <message>
    <source>Faces</source>
@@ -1780,12 +1996,20 @@
    <translation>各面拼成一个壳，或用布尔运算从轮坯切出齿槽</translation>
   </message>
   <message>
+   <source>Field</source>
+   <translation>字段</translation>
+  </message>
+  <message>
    <source>Fields that differ from their defaults; the context menu resets the group</source>
    <translation>与默认值不同的字段；右键菜单可重置该组</translation>
   </message>
   <message>
    <source>Fields with a problem</source>
    <translation>有问题的字段</translation>
+  </message>
+  <message>
+   <source>File</source>
+   <translation>文件</translation>
   </message>
   <message>
    <source>File changed</source>
@@ -1836,8 +2060,8 @@
    <translation>用几个字母查找任意命令或参数</translation>
   </message>
   <message>
-   <source>Find in the page</source>
-   <translation>在页内查找</translation>
+   <source>Find in guide and glossary</source>
+   <translation>在指南和术语表中查找</translation>
   </message>
   <message>
    <source>Fine</source>
@@ -1858,6 +2082,10 @@
   <message>
    <source>Flank colours</source>
    <translation>齿面颜色</translation>
+  </message>
+  <message>
+   <source>Flanks are drawn with their deviation {factor}</source>
+   <translation>齿面按偏差 {factor} 绘制</translation>
   </message>
   <message>
    <source>Flanks coloured by deviation</source>
@@ -1914,6 +2142,10 @@
   <message>
    <source>Forget the unsaved edits of “{name}” for good?</source>
    <translation>永久丢弃“{name}”未保存的修改？</translation>
+  </message>
+  <message>
+   <source>Formula</source>
+   <translation>公式</translation>
   </message>
   <message>
    <source>Frames</source>
@@ -2084,6 +2316,10 @@
    <translation>跳到标题</translation>
   </message>
   <message>
+   <source>Go to the parameter in the window</source>
+   <translation>转到窗口中的参数</translation>
+  </message>
+  <message>
    <source>Grey</source>
    <translation>灰</translation>
   </message>
@@ -2148,12 +2384,20 @@
    <translation>大小端齿廓、所用截面与位置</translation>
   </message>
   <message>
+   <source>Highest deviation</source>
+   <translation>最高偏差</translation>
+  </message>
+  <message>
    <source>Histogram</source>
    <translation>直方图</translation>
   </message>
   <message>
    <source>How a whole gear is put together</source>
    <translation>整个齿轮的构造方式</translation>
+  </message>
+  <message>
+   <source>How far it lies beyond the crossing point; t_zm is the mean point's distance along the axis.</source>
+   <translation>它超出轴线交错点的距离； t_zm 为中点沿轴线的距离。</translation>
   </message>
   <message>
    <source>How far the plane has rolled. It starts at 0 where the root lies below the base cone.</source>
@@ -2248,6 +2492,10 @@
    <translation>设计文件中：{key}</translation>
   </message>
   <message>
+   <source>In the glossary: {term}</source>
+   <translation>术语表：{term}</translation>
+  </message>
+  <message>
    <source>Inches</source>
    <translation>英寸</translation>
   </message>
@@ -2332,6 +2580,14 @@
    <translation>全部保留；“文件 ▸ 恢复未保存的工作”或下次启动会再询问</translation>
   </message>
   <message>
+   <source>Key in the design file</source>
+   <translation>设计文件中的键</translation>
+  </message>
+  <message>
+   <source>Key in {table}</source>
+   <translation>{table} 中的键</translation>
+  </message>
+  <message>
    <source>Keys</source>
    <translation>快捷键</translation>
   </message>
@@ -2348,8 +2604,16 @@
    <translation>语言</translation>
   </message>
   <message>
+   <source>Language of the report</source>
+   <translation>报告语言</translation>
+  </message>
+  <message>
    <source>Largest</source>
    <translation>最大</translation>
+  </message>
+  <message>
+   <source>Largest [µm]</source>
+   <translation>最大 [µm]</translation>
   </message>
   <message>
    <source>Largest angle between neighbouring chords; left empty, the distance alone decides</source>
@@ -2370,6 +2634,10 @@
   <message>
    <source>Largest deviation over both flanks</source>
    <translation>两侧齿面的最大偏差</translation>
+  </message>
+  <message>
+   <source>Largest deviation without its sign</source>
+   <translation>最大偏差（绝对值）</translation>
   </message>
   <message>
    <source>Largest principal</source>
@@ -2460,12 +2728,20 @@
    <translation>浅色</translation>
   </message>
   <message>
+   <source>Limit [µm]</source>
+   <translation>限值 [µm]</translation>
+  </message>
+  <message>
    <source>Limit pressure angle</source>
    <translation>极限压力角</translation>
   </message>
   <message>
    <source>Limit pressure angle factor</source>
    <translation>极限压力角系数</translation>
+  </message>
+  <message>
+   <source>Limit radius</source>
+   <translation>极限半径</translation>
   </message>
   <message>
    <source>Linear</source>
@@ -2481,6 +2757,10 @@
   </message>
   <message>
    <source>Log</source>
+   <translation>日志</translation>
+  </message>
+  <message>
+   <source>Log scale</source>
    <translation>对数</translation>
   </message>
   <message>
@@ -2504,8 +2784,16 @@
    <translation>色标下限</translation>
   </message>
   <message>
+   <source>Lowest deviation</source>
+   <translation>最低偏差</translation>
+  </message>
+  <message>
    <source>Lowest … highest</source>
    <translation>最小 … 最大</translation>
+  </message>
+  <message>
+   <source>Made</source>
+   <translation>生成</translation>
   </message>
   <message>
    <source>Map</source>
@@ -2514,6 +2802,10 @@
   <message>
    <source>Maps and charts of</source>
    <translation>云图和图表对象</translation>
+  </message>
+  <message>
+   <source>Maps show</source>
+   <translation>云图对象</translation>
   </message>
   <message>
    <source>Margins</source>
@@ -2544,6 +2836,10 @@
    <translation>中点齿顶高</translation>
   </message>
   <message>
+   <source>Mean addendum and dedendum</source>
+   <translation>中点齿顶高与齿根高</translation>
+  </message>
+  <message>
    <source>Mean addendum factor</source>
    <translation>中点齿顶高系数</translation>
   </message>
@@ -2568,6 +2864,10 @@
    <translation>中点齿根高</translation>
   </message>
   <message>
+   <source>Mean deviation without its sign</source>
+   <translation>平均偏差（绝对值）</translation>
+  </message>
+  <message>
    <source>Mean normal chordal thickness</source>
    <translation>中点法向弦齿厚</translation>
   </message>
@@ -2580,12 +2880,20 @@
    <translation>中点法向模数</translation>
   </message>
   <message>
+   <source>Mean normal thickness</source>
+   <translation>中点法向齿厚</translation>
+  </message>
+  <message>
    <source>Mean of the absolute deviations</source>
    <translation>偏差绝对值的平均</translation>
   </message>
   <message>
    <source>Mean pitch diameter</source>
    <translation>中点节圆直径</translation>
+  </message>
+  <message>
+   <source>Mean radii</source>
+   <translation>中点半径</translation>
   </message>
   <message>
    <source>Mean root diameter</source>
@@ -2626,6 +2934,10 @@
   <message>
    <source>Measured points</source>
    <translation>测点</translation>
+  </message>
+  <message>
+   <source>Measured points against the theory: errors of the flanks, a map, the pitch</source>
+   <translation>测点与理论对照：齿面误差、偏差图、齿距</translation>
   </message>
   <message>
    <source>Measured points against theory</source>
@@ -2674,6 +2986,10 @@
   <message>
    <source>Metal at the tip more than at the root, over the whole depth of the flank; nothing changes in the middle.</source>
    <translation>整个齿高上齿顶比齿根多出的金属；中部不变。</translation>
+  </message>
+  <message>
+   <source>Metal taken off a flank</source>
+   <translation>齿面上去除的金属</translation>
   </message>
   <message>
    <source>Metal taken off at root and tip of the flank, rising as a parabola from the middle of its depth.</source>
@@ -2744,6 +3060,10 @@
    <translation>安装距</translation>
   </message>
   <message>
+   <source>NOT VALID</source>
+   <translation>无效</translation>
+  </message>
+  <message>
    <source>NURBS surface</source>
    <translation>NURBS 曲面</translation>
   </message>
@@ -2800,6 +3120,10 @@
    <translation>无图像：{why}</translation>
   </message>
   <message>
+   <source>No pictures were handed in.</source>
+   <translation>未提供图片。</translation>
+  </message>
+  <message>
    <source>No points</source>
    <translation>无测点</translation>
   </message>
@@ -2810,6 +3134,10 @@
   <message>
    <source>Nominal grid…</source>
    <translation>名义网格…</translation>
+  </message>
+  <message>
+   <source>None: all four flanks are the theoretical ones.</source>
+   <translation>无：四个齿面均为理论齿面。</translation>
   </message>
   <message>
    <source>Normal chordal thickness, mean</source>
@@ -2836,6 +3164,10 @@
    <translation>沿齿面法向，金属多余为正；二阶精确，更高阶则迭代垂足。</translation>
   </message>
   <message>
+   <source>Normal to the flank: crowning along the face and over the profile, corrections of spiral and pressure angle, bias, tip and root relief. ξ runs from −1 at the toe to 1 at the heel, η from −1 at the flank's lower edge to 1 at the tip. D is the drive flank, concave on the pinion and convex on the wheel; C is the coast flank.</source>
+   <translation>沿齿面法线：齿向和齿廓鼓形、螺旋角和压力角修正、扭曲、齿顶和齿根修缘。 ξ 从小端的 −1 到大端的 1， η 从齿面下边缘的 −1 到齿顶的 1。D 为正驱动面，在小轮上为凹面，在大轮上为凸面；C 为反驱动面。</translation>
+  </message>
+  <message>
    <source>Normal, mean point</source>
    <translation>法向，中点</translation>
   </message>
@@ -2854,6 +3186,14 @@
   <message>
    <source>Not used now.</source>
    <translation>当前未使用。</translation>
+  </message>
+  <message>
+   <source>Note</source>
+   <translation>备注</translation>
+  </message>
+  <message>
+   <source>Nothing found</source>
+   <translation>未找到</translation>
   </message>
   <message>
    <source>Nothing is lost: save the design in another folder.</source>
@@ -2888,6 +3228,10 @@
    <translation>大轮齿数。</translation>
   </message>
   <message>
+   <source>OUT OF LIMITS</source>
+   <translation>超限</translation>
+  </message>
+  <message>
    <source>Obtuse shafts, logarithmic spiral</source>
    <translation>钝角轴，对数螺旋线</translation>
   </message>
@@ -2896,12 +3240,20 @@
    <translation>质心距锥顶</translation>
   </message>
   <message>
+   <source>Of pitch, tip and root circle, with cone distance and depths of the place; the numbers are those of the heel.</source>
+   <translation>节圆、顶圆和根圆，取该处的锥距和齿高；数值为大端的。</translation>
+  </message>
+  <message>
    <source>Of the disc between hub and rim, from the back face.</source>
    <translation>轮毂与轮缘间辐板的厚度，自背面起。</translation>
   </message>
   <message>
    <source>Of the edges between tip and ends of the teeth, turned over all teeth at toe and heel; its legs along the face cone and along the end, 0 for none.</source>
    <translation>齿顶与齿端之间的棱，在大小端绕全齿车出；两直角边沿面锥和端面，0 表示无。</translation>
+  </message>
+  <message>
+   <source>Of the section square to the tooth at the mean point.</source>
+   <translation>中点处垂直于轮齿的截面内。</translation>
   </message>
   <message>
    <source>Of the whole surface</source>
@@ -2928,6 +3280,10 @@
    <translation>偏置角，根平面</translation>
   </message>
   <message>
+   <source>Offset axes</source>
+   <translation>偏置轴</translation>
+  </message>
+  <message>
    <source>Offset in the pitch plane</source>
    <translation>节平面内偏置</translation>
   </message>
@@ -2936,12 +3292,20 @@
    <translation>前进十二分之一齿</translation>
   </message>
   <message>
+   <source>On the base cone, as the paper gives it; β_i is the spiral angle on the pitch cone there.</source>
+   <translation>在基锥上，如论文所给； β_i 为该处节锥上的螺旋角。</translation>
+  </message>
+  <message>
    <source>One camera for all</source>
    <translation>共用相机</translation>
   </message>
   <message>
    <source>One closed shell</source>
    <translation>一个封闭壳</translation>
+  </message>
+  <message>
+   <source>One flank of the three methods, coloured by its deviation from the exact flank.</source>
+   <translation>三种方法的一侧齿面，按其相对精确齿面的偏差着色。</translation>
   </message>
   <message>
    <source>One of: {choices}.</source>
@@ -3006,6 +3370,10 @@
   <message>
    <source>Open design</source>
    <translation>打开设计</translation>
+  </message>
+  <message>
+   <source>Open measured points on the page Measurement first</source>
+   <translation>请先在“测量”页打开测点</translation>
   </message>
   <message>
    <source>Open measured points or a STEP file</source>
@@ -3144,6 +3512,10 @@
    <translation>齿轮副啮合，转过一齿</translation>
   </message>
   <message>
+   <source>Panels that share a place</source>
+   <translation>共用同一位置的面板</translation>
+  </message>
+  <message>
    <source>Paper</source>
    <translation>论文</translation>
   </message>
@@ -3172,6 +3544,10 @@
    <translation>两个设计的参数和导出值</translation>
   </message>
   <message>
+   <source>Parameters that the equation uses</source>
+   <translation>公式所用的参数</translation>
+  </message>
+  <message>
    <source>Parameters: {group}</source>
    <translation>参数：{group}</translation>
   </message>
@@ -3188,6 +3564,10 @@
    <translation>接触斑点</translation>
   </message>
   <message>
+   <source>Pattern [%]</source>
+   <translation>斑点 [%]</translation>
+  </message>
+  <message>
    <source>Peak to peak</source>
    <translation>峰峰值</translation>
   </message>
@@ -3202,6 +3582,10 @@
   <message>
    <source>Picture</source>
    <translation>图片</translation>
+  </message>
+  <message>
+   <source>Picture (*.png);;Drawing (*.svg);;Table (*.csv)</source>
+   <translation>图片 (*.png);;矢量图 (*.svg);;表格 (*.csv)</translation>
   </message>
   <message>
    <source>Picture of</source>
@@ -3240,6 +3624,10 @@
    <translation>节锥角</translation>
   </message>
   <message>
+   <source>Pitch apex</source>
+   <translation>节锥顶</translation>
+  </message>
+  <message>
    <source>Pitch apex beyond crossing point</source>
    <translation>节锥顶至交错点</translation>
   </message>
@@ -3250,6 +3638,10 @@
   <message>
    <source>Pitch cone angle</source>
    <translation>节锥角</translation>
+  </message>
+  <message>
+   <source>Pitch cones in contact</source>
+   <translation>相切的节锥</translation>
   </message>
   <message>
    <source>Pitch diameter, heel</source>
@@ -3292,6 +3684,10 @@
    <translation>剖切位置</translation>
   </message>
   <message>
+   <source>Place on a flank</source>
+   <translation>齿面上的位置</translation>
+  </message>
+  <message>
    <source>Places along the generating line</source>
    <translation>沿母线的位置</translation>
   </message>
@@ -3328,8 +3724,16 @@
    <translation>点与曲面</translation>
   </message>
   <message>
+   <source>Points left out beside the flanks</source>
+   <translation>齿面之外舍去的点</translation>
+  </message>
+  <message>
    <source>Points of the exact flank on U and V lines</source>
    <translation>精确齿面 U、V 线上的点</translation>
+  </message>
+  <message>
+   <source>Points on the flanks</source>
+   <translation>齿面上的点</translation>
   </message>
   <message>
    <source>Points, U and V lines</source>
@@ -3382,6 +3786,10 @@
   <message>
    <source>Pressure angle, transv.</source>
    <translation>压力角，端面</translation>
+  </message>
+  <message>
+   <source>Pressure angles and base cones of both flanks</source>
+   <translation>两侧齿面的压力角与基锥</translation>
   </message>
   <message>
    <source>Preview of the report</source>
@@ -3488,6 +3896,14 @@
    <translation>量</translation>
   </message>
   <message>
+   <source>RMS</source>
+   <translation>均方根</translation>
+  </message>
+  <message>
+   <source>RMS deviation</source>
+   <translation>均方根偏差</translation>
+  </message>
+  <message>
    <source>R_e from the pitch apex</source>
    <translation>R_e，自节锥顶起</translation>
   </message>
@@ -3528,12 +3944,24 @@
    <translation>重启 CAD 内核(&amp;S)</translation>
   </message>
   <message>
+   <source>Reaches {tolerance} µm with</source>
+   <translation>达到 {tolerance} µm 所需</translation>
+  </message>
+  <message>
+   <source>Read back</source>
+   <translation>回读结果</translation>
+  </message>
+  <message>
    <source>Reading {file}…</source>
    <translation>正在读取 {file}…</translation>
   </message>
   <message>
    <source>Rebuild when the design changes</source>
    <translation>设计更改时重建</translation>
+  </message>
+  <message>
+   <source>Recent design {number}</source>
+   <translation>最近的设计 {number}</translation>
   </message>
   <message>
    <source>Reco&amp;ver unsaved work…</source>
@@ -3872,6 +4300,10 @@
    <translation>全选</translation>
   </message>
   <message>
+   <source>Series of points</source>
+   <translation>点列</translation>
+  </message>
+  <message>
    <source>Set of layers</source>
    <translation>图层组合</translation>
   </message>
@@ -3912,6 +4344,10 @@
    <translation>点的比例</translation>
   </message>
   <message>
+   <source>Shared between both members; without a factor of its own c_ham is 0.21 + 0.29/u₉₀², the standard's proposal.</source>
+   <translation>由两轮分配；未给定系数时 c_ham 为 0.21 + 0.29/u₉₀² ，即标准的建议值。</translation>
+  </message>
+  <message>
    <source>Shift</source>
    <translation>移动</translation>
   </message>
@@ -3920,12 +4356,24 @@
    <translation>移动量</translation>
   </message>
   <message>
+   <source>Shifted by the best fit</source>
+   <translation>最佳拟合的移动量</translation>
+  </message>
+  <message>
    <source>Show</source>
    <translation>显示</translation>
   </message>
   <message>
+   <source>Show equation</source>
+   <translation>显示公式</translation>
+  </message>
+  <message>
    <source>Show everything as in a new window; layers keep their colours</source>
    <translation>恢复为新窗口的显示；图层颜色保留</translation>
+  </message>
+  <message>
+   <source>Show the equation of this row with its numbers (Enter)</source>
+   <translation>显示此行的公式及数值（回车）</translation>
   </message>
   <message>
    <source>Show the pinion and build its flanks</source>
@@ -3972,12 +4420,20 @@
    <translation>影片尺寸（像素）</translation>
   </message>
   <message>
+   <source>Sizes of the teeth</source>
+   <translation>轮齿尺寸</translation>
+  </message>
+  <message>
    <source>Smallest principal</source>
    <translation>最小主</translation>
   </message>
   <message>
    <source>Smooth</source>
    <translation>平滑</translation>
+  </message>
+  <message>
+   <source>Snap to corners and middles of edges</source>
+   <translation>捕捉角点和边的中点</translation>
   </message>
   <message>
    <source>Software, without the graphics card</source>
@@ -3992,8 +4448,16 @@
    <translation>实体知道各面如何相接；裁剪曲面供不支持实体的程序使用</translation>
   </message>
   <message>
+   <source>Some of the paper's are those of bevel pairs with depths from the module: numbers are put in where an equation holds for this pair.</source>
+   <translation>论文中的部分公式适用于齿高由模数确定的锥齿轮副：仅在公式对本齿轮副成立处代入数值。</translation>
+  </message>
+  <message>
    <source>Something unexpected went wrong. The window goes on, and the design is still there: save it under a new name to be safe. The report below helps to mend the fault; it is also in {path}.</source>
    <translation>发生意外错误。窗口继续运行，设计仍在：为安全起见请以新名称保存。下面的报告有助于修复，也保存在 {path}。</translation>
+  </message>
+  <message>
+   <source>Source</source>
+   <translation>出处</translation>
   </message>
   <message>
    <source>Speed</source>
@@ -4028,12 +4492,20 @@
    <translation>齿线为刀盘半径 r₀ 圆弧时，锥距 R' 处的螺旋角。</translation>
   </message>
   <message>
+   <source>Spiral angle at the toe</source>
+   <translation>小端螺旋角</translation>
+  </message>
+  <message>
    <source>Spiral angle correction</source>
    <translation>螺旋角修正</translation>
   </message>
   <message>
    <source>Spiral angle of</source>
    <translation>螺旋角属于</translation>
+  </message>
+  <message>
+   <source>Spiral angle, as an angle</source>
+   <translation>螺旋角（以角度计）</translation>
   </message>
   <message>
    <source>Spiral angle, heel</source>
@@ -4050,6 +4522,14 @@
   <message>
    <source>Spiral angle; 0 gives straight teeth, or zerol teeth with the circular arc.</source>
    <translation>螺旋角；0 为直齿，圆弧时为零度齿。</translation>
+  </message>
+  <message>
+   <source>Spiral angles of both members</source>
+   <translation>两轮的螺旋角</translation>
+  </message>
+  <message>
+   <source>Spiral bevel gear report</source>
+   <translation>弧齿锥齿轮报告</translation>
   </message>
   <message>
    <source>Spiral bevel gears from the exact spherical involute: three ways to model the tooth flanks, side by side, and how far each is from theory.</source>
@@ -4108,6 +4588,10 @@
    <translation>条纹</translation>
   </message>
   <message>
+   <source>Surface or difference</source>
+   <translation>曲面或差值</translation>
+  </message>
+  <message>
    <source>Surface quality</source>
    <translation>曲面质量</translation>
   </message>
@@ -4152,12 +4636,20 @@
    <translation>收缩方式</translation>
   </message>
   <message>
+   <source>Taper of the wheel</source>
+   <translation>大轮的收缩</translation>
+  </message>
+  <message>
    <source>Teeth</source>
    <translation>齿数</translation>
   </message>
   <message>
    <source>Teeth as long as the CAD flank is curved</source>
    <translation>梳齿长度与 CAD 齿面曲率成正比</translation>
+  </message>
+  <message>
+   <source>Teeth measured</source>
+   <translation>已测齿数</translation>
   </message>
   <message>
    <source>Text</source>
@@ -4208,6 +4700,10 @@
    <translation>最佳拟合可绕轴转动零件</translation>
   </message>
   <message>
+   <source>The best fit might {ways}.</source>
+   <translation>最佳拟合允许{ways}。</translation>
+  </message>
+  <message>
    <source>The chart was not saved: {error}</source>
    <translation>图表未保存：{error}</translation>
   </message>
@@ -4232,6 +4728,10 @@
    <translation>写出其曲面的构造方法</translation>
   </message>
   <message>
+   <source>The contact could not be analysed; see the notes.</source>
+   <translation>无法分析接触；见备注。</translation>
+  </message>
+  <message>
    <source>The cutter's radius is missing below the line.</source>
    <translation>分母中缺少刀盘半径。</translation>
   </message>
@@ -4242,6 +4742,10 @@
   <message>
    <source>The design</source>
    <translation>设计</translation>
+  </message>
+  <message>
+   <source>The design is not saved, so there is no folder in which exports could be.</source>
+   <translation>设计尚未保存，因此没有可存放导出文件的文件夹。</translation>
   </message>
   <message>
    <source>The design to compare with</source>
@@ -4264,12 +4768,20 @@
    <translation>公式</translation>
   </message>
   <message>
+   <source>The equation of the parameter or row with the cursor</source>
+   <translation>光标所在参数或行的公式</translation>
+  </message>
+  <message>
    <source>The exact flank, translucent</source>
    <translation>精确齿面，半透明</translation>
   </message>
   <message>
    <source>The export failed: {text}</source>
    <translation>导出失败：{text}</translation>
+  </message>
+  <message>
+   <source>The face cone touches a plane on the wheel's root cone, the root cone one on its face cone, both the clearance away.</source>
+   <translation>面锥与大轮根锥的切平面相切，根锥与其面锥的切平面相切，两者均相隔顶隙。</translation>
   </message>
   <message>
    <source>The face width is given as a length: empty that field to use the factor.</source>
@@ -4302,12 +4814,32 @@
    <translation>滚动 Θ 后的母线与齿面吻合到 4·10⁻¹⁴ mm。</translation>
   </message>
   <message>
+   <source>The inclination of the flank that would slide along the tooth alone: drive and coast flank lie equally far from it.</source>
+   <translation>只沿齿向滑动的齿面的倾角：正驱动面和反驱动面与它的距离相等。</translation>
+  </message>
+  <message>
    <source>The kernel's full check of the solid</source>
    <translation>内核对实体的完整检查</translation>
   </message>
   <message>
+   <source>The language that the report is written in</source>
+   <translation>报告所用的语言</translation>
+  </message>
+  <message>
+   <source>The last column says where the formula stands: section of the theory, and in brackets the paper's equation.</source>
+   <translation>最后一列给出公式的出处：理论的章节，括号内为论文的公式号。</translation>
+  </message>
+  <message>
    <source>The line in the plane, and the flank it has swept</source>
    <translation>平面内的直线及其扫出的齿面</translation>
+  </message>
+  <message>
+   <source>The mate's tip must not roll beyond the start of the flank on the base cone.</source>
+   <translation>配对轮齿顶不得滚过齿面在基锥上的起点。</translation>
+  </message>
+  <message>
+   <source>The measured points could not be compared with this design; see the notes.</source>
+   <translation>测点无法与本设计比较；见备注。</translation>
   </message>
   <message>
    <source>The measurement was cancelled.</source>
@@ -4334,8 +4866,16 @@
    <translation>方法并列比较、图表、齿面接触、数据表和测点。</translation>
   </message>
   <message>
+   <source>The modified flank</source>
+   <translation>修形齿面</translation>
+  </message>
+  <message>
    <source>The nominal grid was not saved: {reason}</source>
    <translation>名义网格未保存：{reason}</translation>
+  </message>
+  <message>
+   <source>The offset</source>
+   <translation>偏置距</translation>
   </message>
   <message>
    <source>The opposite flank</source>
@@ -4382,12 +4922,20 @@
    <translation>小轮凹面主动</translation>
   </message>
   <message>
+   <source>The pinion's conjugate flank</source>
+   <translation>小轮的共轭齿面</translation>
+  </message>
+  <message>
    <source>The pinion's convex flank leads</source>
    <translation>小轮凸面主动</translation>
   </message>
   <message>
    <source>The pinion's flanks as the wheel makes them</source>
    <translation>由大轮生成的小轮齿面</translation>
+  </message>
+  <message>
+   <source>The pitch angles are those for which it is the radius of the wheel's tooth trace: r₀ for a cutter's arc.</source>
+   <translation>节锥角的取值使其等于大轮齿线的半径：刀盘圆弧时为 r₀ 。</translation>
   </message>
   <message>
    <source>The pitch cones of two gears with crossing axes roll on each other; z' are the mate's teeth. For a right angle it is the paper's arctan z / z'.</source>
@@ -4438,6 +4986,14 @@
    <translation>设置文件已损坏，窗口以默认设置启动。{where}</translation>
   </message>
   <message>
+   <source>The shortest distance between the axes, from the mean point's radii; a_p is the part in the pitch plane.</source>
+   <translation>两轴间的最短距离，由中点的半径求得； a_p 为节平面内的部分。</translation>
+  </message>
+  <message>
+   <source>The standard taper: root lines through the pitch apex. With uniform depth both angles are 0; duplex and tilted root divide another sum of the dedendum angles as the depth is divided; an angle that is given wins.</source>
+   <translation>标准收缩：齿根线通过节锥顶。等高齿两角均为 0；双重收缩和倾斜齿根按齿高的分配划分另一齿根角之和；给定的角优先。</translation>
+  </message>
+  <message>
    <source>The step before</source>
    <translation>上一步</translation>
   </message>
@@ -4458,16 +5014,36 @@
    <translation>算式超过 {count} 个字符</translation>
   </message>
   <message>
+   <source>The sum of the dedendum angles for which both slots keep their width along the face; κ is the tooth trace's curvature. A tilted root line takes at most 1.3 times the standard sum.</source>
+   <translation>使两轮齿槽沿齿宽保持槽宽不变的齿根角之和； κ 为齿线的曲率。倾斜齿根线至多取标准之和的 1.3 倍。</translation>
+  </message>
+  <message>
    <source>The system refused to start another window.</source>
    <translation>系统拒绝打开另一个窗口。</translation>
+  </message>
+  <message>
+   <source>The teeth end square to the pitch cone: ρ_u is the cone distance there, and points above and below are farther from the apex.</source>
+   <translation>轮齿终止于垂直于节锥的面： ρ_u 为该处锥距，其上下的点离锥顶更远。</translation>
+  </message>
+  <message>
+   <source>The teeth run along each other at the mean point, the cones' elements do not.</source>
+   <translation>在中点，两轮的轮齿方向一致，而两锥的母线方向不一致。</translation>
   </message>
   <message>
    <source>The theoretical surface, explicit in azimuth: the deviation of any point from it needs no search.</source>
    <translation>理论曲面以方位角显式表达：任意点的偏差无需搜索。</translation>
   </message>
   <message>
+   <source>The thickness factor makes the pinion's teeth thicker and the wheel's thinner; x_sm has the backlash's share.</source>
+   <translation>齿厚系数使小轮齿变厚、大轮齿变薄； x_sm 含侧隙份额。</translation>
+  </message>
+  <message>
    <source>The three methods side by side, seen from the same place</source>
    <translation>三种方法并列，同一视角</translation>
+  </message>
+  <message>
+   <source>The tips run parallel to the mate's root cone, through the tip's corner at the heel; the face cone has an apex of its own.</source>
+   <translation>齿顶平行于配对轮根锥，并通过大端齿顶角点；面锥有自己的锥顶。</translation>
   </message>
   <message>
    <source>The tooth is self-similar: every section is the heel's, scaled by ρ and turned by θ(ρ).</source>
@@ -4480,6 +5056,10 @@
   <message>
    <source>The tooth that is drawn</source>
    <translation>所绘制的齿</translation>
+  </message>
+  <message>
+   <source>The turn of the wheel over its pitch: while contact moves over the profile in the middle of the face (ε_α), along the face at half the depth (ε_β), and over the whole flank (ε_γ).</source>
+   <translation>大轮转角与其齿距之比：接触经过齿宽中部的齿廓时 (ε_α) 、在半齿高处沿齿宽时 (ε_β) ，以及经过整个齿面时 (ε_γ) 。</translation>
   </message>
   <message>
    <source>The turn θ(ρ) is missing.</source>
@@ -4506,6 +5086,10 @@
    <translation>窗口全屏与恢复</translation>
   </message>
   <message>
+   <source>The window changes its language at once; the design and its results stay as they are.</source>
+   <translation>窗口立即切换语言；设计和结果保持不变。</translation>
+  </message>
+  <message>
    <source>The words of the field, as they are used here</source>
    <translation>本程序所用的专业词汇</translation>
   </message>
@@ -4526,10 +5110,6 @@
    <translation>理论</translation>
   </message>
   <message>
-   <source>Theory {equation}</source>
-   <translation>理论 {equation}</translation>
-  </message>
-  <message>
    <source>Theory, section {section}</source>
    <translation>理论，第 {section} 节</translation>
   </message>
@@ -4538,12 +5118,20 @@
    <translation>尚无备份；每次保存设计都会产生一份。</translation>
   </message>
   <message>
+   <source>There are no exports with a record in {folder}.</source>
+   <translation>{folder} 中没有带记录的导出文件。</translation>
+  </message>
+  <message>
    <source>There is no unsaved work to recover.</source>
    <translation>没有可恢复的未保存工作。</translation>
   </message>
   <message>
    <source>There is no {field} to begin or end.</source>
    <translation>没有{field}，起止点无意义。</translation>
+  </message>
+  <message>
+   <source>There was no best fit.</source>
+   <translation>未作最佳拟合。</translation>
   </message>
   <message>
    <source>These are the values of an earlier design; of this one there are none: {error}</source>
@@ -4562,6 +5150,10 @@
    <translation>齿厚</translation>
   </message>
   <message>
+   <source>Thickness and chord</source>
+   <translation>齿厚与弦长</translation>
+  </message>
+  <message>
    <source>Thickness factor</source>
    <translation>齿厚系数</translation>
   </message>
@@ -4574,6 +5166,10 @@
    <translation>涂料厚度：间隙小于此处被擦去</translation>
   </message>
   <message>
+   <source>Thickness of the tip; where it is not positive the tooth is pointed.</source>
+   <translation>齿顶的厚度；不为正处齿顶变尖。</translation>
+  </message>
+  <message>
    <source>Thickness that the pinion's teeth gain over the wheel's, over mean normal module.</source>
    <translation>小轮齿比大轮齿多出的厚度与中点法向模数之比。</translation>
   </message>
@@ -4582,12 +5178,24 @@
    <translation>本设计</translation>
   </message>
   <message>
+   <source>This design has no complete tooth; see the notes.</source>
+   <translation>本设计没有完整的轮齿；见备注。</translation>
+  </message>
+  <message>
    <source>This design was never saved.</source>
    <translation>此设计从未保存。</translation>
   </message>
   <message>
    <source>This display offers no OpenGL.</source>
    <translation>此显示不支持 OpenGL。</translation>
+  </message>
+  <message>
+   <source>This parameter enters no equation.</source>
+   <translation>此参数不进入任何公式。</translation>
+  </message>
+  <message>
+   <source>This solid</source>
+   <translation>此实体</translation>
   </message>
   <message>
    <source>Three methods, two variants</source>
@@ -4604,6 +5212,10 @@
   <message>
    <source>Time</source>
    <translation>时间</translation>
+  </message>
+  <message>
+   <source>Time [ms]</source>
+   <translation>时间 [ms]</translation>
   </message>
   <message>
    <source>Time to build both flanks</source>
@@ -4624,6 +5236,10 @@
   <message>
    <source>Tip cone</source>
    <translation>面锥</translation>
+  </message>
+  <message>
+   <source>Tip land</source>
+   <translation>齿顶厚</translation>
   </message>
   <message>
    <source>Tip land, heel</source>
@@ -4710,6 +5326,14 @@
    <translation>传动误差</translation>
   </message>
   <message>
+   <source>Transmission error over three pitches.</source>
+   <translation>三个齿距内的传动误差。</translation>
+  </message>
+  <message>
+   <source>Transmission error, peak to peak [″]</source>
+   <translation>传动误差峰峰值 [″]</translation>
+  </message>
+  <message>
    <source>Transparent background</source>
    <translation>透明背景</translation>
   </message>
@@ -4778,6 +5402,10 @@
    <translation>转动量</translation>
   </message>
   <message>
+   <source>Turned by the best fit</source>
+   <translation>最佳拟合的转动量</translation>
+  </message>
+  <message>
    <source>Turns the lamps</source>
    <translation>转动灯</translation>
   </message>
@@ -4794,8 +5422,16 @@
    <translation>键入命令或参数</translation>
   </message>
   <message>
+   <source>Undercut margin</source>
+   <translation>根切裕量</translation>
+  </message>
+  <message>
    <source>Undercut margin: rolled arc left below the mate's tip</source>
    <translation>根切裕量：配对轮齿顶以下剩余的滚动弧</translation>
+  </message>
+  <message>
+   <source>Undercut of the pinion</source>
+   <translation>小轮的根切</translation>
   </message>
   <message>
    <source>Undone: {step}</source>
@@ -4834,6 +5470,10 @@
    <translation>单位、主题、语言、内存和快捷键</translation>
   </message>
   <message>
+   <source>Unnamed pair</source>
+   <translation>未命名齿轮副</translation>
+  </message>
+  <message>
    <source>Unsaved changes</source>
    <translation>未保存的修改</translation>
   </message>
@@ -4858,12 +5498,20 @@
    <translation>色标上限</translation>
   </message>
   <message>
+   <source>Used by: {parameters}</source>
+   <translation>所用参数：{parameters}</translation>
+  </message>
+  <message>
    <source>Usual</source>
    <translation>常用</translation>
   </message>
   <message>
    <source>Valid</source>
    <translation>有效</translation>
+  </message>
+  <message>
+   <source>Value</source>
+   <translation>值</translation>
   </message>
   <message>
    <source>Values at the picked point</source>
@@ -4876,6 +5524,10 @@
   <message>
    <source>Variant</source>
    <translation>方案</translation>
+  </message>
+  <message>
+   <source>Verdict</source>
+   <translation>判定</translation>
   </message>
   <message>
    <source>Views</source>
@@ -4892,6 +5544,14 @@
   <message>
    <source>Volume, mass and moments of the solids that are built</source>
    <translation>已构建实体的体积、质量和惯量</translation>
+  </message>
+  <message>
+   <source>Warning</source>
+   <translation>警告</translation>
+  </message>
+  <message>
+   <source>Warning: {message}.</source>
+   <translation>警告：{message}。</translation>
   </message>
   <message>
    <source>Warnings and errors</source>
@@ -4956,6 +5616,10 @@
   <message>
    <source>What the construction took</source>
    <translation>构造所用的参数</translation>
+  </message>
+  <message>
+   <source>What the contact is computed for, and its numbers</source>
+   <translation>接触计算的条件及其数值</translation>
   </message>
   <message>
    <source>What the lamps are fixed to</source>
@@ -5086,6 +5750,10 @@
    <translation>没有它，引导线会离开弧齿齿面。</translation>
   </message>
   <message>
+   <source>Without misalignment, marking compound {thickness} µm thick; the least backlash while rolling is {play} mm. Drive: the pinion's concave flank leads. The centre of the pattern is given as a part of the face from the toe and of the profile from the root.</source>
+   <translation>无安装误差，涂料厚度 {thickness} µm；滚动中的最小侧隙为 {play} mm。正驱动：小轮凹面主动。斑点中心以自小端起的齿宽比例和自齿根起的齿廓比例给出。</translation>
+  </message>
+  <message>
    <source>Words of the title or the text, or the paper's number</source>
    <translation>标题或正文中的词，或论文编号</translation>
   </message>
@@ -5100,6 +5768,10 @@
   <message>
    <source>Work</source>
    <translation>工作</translation>
+  </message>
+  <message>
+   <source>Working depth and clearance</source>
+   <translation>工作齿高与顶隙</translation>
   </message>
   <message>
    <source>Working depth at the mean point over mean normal module.</source>
@@ -5126,6 +5798,10 @@
    <translation>将写出 {names}</translation>
   </message>
   <message>
+   <source>Written</source>
+   <translation>写出</translation>
+  </message>
+  <message>
    <source>Wrote {names} to {folder}; read back and checked</source>
    <translation>已将 {names} 写到 {folder}；已回读并检查</translation>
   </message>
@@ -5140,6 +5816,10 @@
   <message>
    <source>Zerol pair</source>
    <translation>零度齿轮副</translation>
+  </message>
+  <message>
+   <source>above pitch cone [mm]</source>
+   <translation>高出节锥 [mm]</translation>
   </message>
   <message>
    <source>addendum</source>
@@ -5174,6 +5854,10 @@
    <translation>节锥处方位角</translation>
   </message>
   <message>
+   <source>back face</source>
+   <translation>背面</translation>
+  </message>
+  <message>
    <source>base</source>
    <translation>基</translation>
   </message>
@@ -5198,8 +5882,16 @@
    <translation>轮体</translation>
   </message>
   <message>
-   <source>box {box} mm · read by {kernel}</source>
-   <translation>包围盒 {box} mm · 由 {kernel} 读取</translation>
+   <source>bore</source>
+   <translation>内孔</translation>
+  </message>
+  <message>
+   <source>both flanks</source>
+   <translation>两侧齿面</translation>
+  </message>
+  <message>
+   <source>box {box} · read by {kernel}</source>
+   <translation>包围盒 {box} · 由 {kernel} 读回</translation>
   </message>
   <message>
    <source>building…</source>
@@ -5220,6 +5912,10 @@
   <message>
    <source>c_m = h_fm − h_am of the mate</source>
    <translation>c_m = h_fm − 配对轮 h_am</translation>
+  </message>
+  <message>
+   <source>closed</source>
+   <translation>封闭</translation>
   </message>
   <message>
    <source>coast</source>
@@ -5266,8 +5962,28 @@
    <translation>凸侧子午线</translation>
   </message>
   <message>
+   <source>corner</source>
+   <translation>角点</translation>
+  </message>
+  <message>
+   <source>count</source>
+   <translation>数量</translation>
+  </message>
+  <message>
+   <source>cumulative</source>
+   <translation>累积</translation>
+  </message>
+  <message>
+   <source>curvature</source>
+   <translation>曲率</translation>
+  </message>
+  <message>
    <source>cut</source>
    <translation>裁切</translation>
+  </message>
+  <message>
+   <source>cut face</source>
+   <translation>剖切面</translation>
   </message>
   <message>
    <source>dedendum</source>
@@ -5282,12 +5998,32 @@
    <translation>导出</translation>
   </message>
   <message>
+   <source>deviation</source>
+   <translation>偏差</translation>
+  </message>
+  <message>
+   <source>deviation [µm]</source>
+   <translation>偏差 [µm]</translation>
+  </message>
+  <message>
+   <source>deviation {factor}</source>
+   <translation>偏差 {factor}</translation>
+  </message>
+  <message>
    <source>deviation {value}</source>
    <translation>偏差 {value}</translation>
   </message>
   <message>
    <source>drive</source>
    <translation>正驱动</translation>
+  </message>
+  <message>
+   <source>ease-off</source>
+   <translation>失配量</translation>
+  </message>
+  <message>
+   <source>en</source>
+   <translation>zh</translation>
   </message>
   <message>
    <source>end</source>
@@ -5302,6 +6038,10 @@
    <translation>精确：节锥相切，ρ_lim = r_c0</translation>
   </message>
   <message>
+   <source>face 0-1</source>
+   <translation>齿宽 0-1</translation>
+  </message>
+  <message>
    <source>face angle</source>
    <translation>面锥角</translation>
   </message>
@@ -5310,12 +6050,20 @@
    <translation>面锥顶</translation>
   </message>
   <message>
+   <source>faces: {count}</source>
+   <translation>面：{count}</translation>
+  </message>
+  <message>
    <source>fillet</source>
    <translation>圆角</translation>
   </message>
   <message>
    <source>first method, mean</source>
    <translation>第一种方法，平均</translation>
+  </message>
+  <message>
+   <source>flank</source>
+   <translation>齿面</translation>
   </message>
   <message>
    <source>flanks</source>
@@ -5330,8 +6078,24 @@
    <translation>第 {n}/{all} 帧</translation>
   </message>
   <message>
+   <source>from toe to heel [mm]</source>
+   <translation>由小端到大端 [mm]</translation>
+  </message>
+  <message>
+   <source>front face</source>
+   <translation>前端面</translation>
+  </message>
+  <message>
+   <source>gap</source>
+   <translation>间隙</translation>
+  </message>
+  <message>
    <source>gap {value} µm</source>
    <translation>间隙 {value} µm</translation>
+  </message>
+  <message>
+   <source>gap µm</source>
+   <translation>间隙 µm</translation>
   </message>
   <message>
    <source>gear</source>
@@ -5366,6 +6130,10 @@
    <translation>大端</translation>
   </message>
   <message>
+   <source>hub</source>
+   <translation>轮毂</translation>
+  </message>
+  <message>
    <source>inch</source>
    <translation>英寸</translation>
   </message>
@@ -5386,12 +6154,44 @@
    <translation>小端螺旋角</translation>
   </message>
   <message>
+   <source>it ended without a reason</source>
+   <translation>未说明原因即结束</translation>
+  </message>
+  <message>
+   <source>it took too long</source>
+   <translation>用时过长</translation>
+  </message>
+  <message>
+   <source>it was made of another state of the design; changed since: {fields}</source>
+   <translation>它由设计的另一状态生成；此后更改：{fields}</translation>
+  </message>
+  <message>
    <source>kernel</source>
    <translation>内核</translation>
   </message>
   <message>
+   <source>kg mm²</source>
+   <translation>kg mm²</translation>
+  </message>
+  <message>
+   <source>kg m²</source>
+   <translation>kg m²</translation>
+  </message>
+  <message>
+   <source>lag of the wheel [″]</source>
+   <translation>大轮滞后 [″]</translation>
+  </message>
+  <message>
    <source>largest</source>
    <translation>最大</translation>
+  </message>
+  <message>
+   <source>largest deviation [µm]</source>
+   <translation>最大偏差 [µm]</translation>
+  </message>
+  <message>
+   <source>lb in²</source>
+   <translation>lb in²</translation>
   </message>
   <message>
    <source>least</source>
@@ -5406,12 +6206,28 @@
    <translation>略去</translation>
   </message>
   <message>
+   <source>left-hand pinion</source>
+   <translation>小轮左旋</translation>
+  </message>
+  <message>
    <source>line</source>
    <translation>线</translation>
   </message>
   <message>
+   <source>longest bar {length} {unit}</source>
+   <translation>最长条 {length} {unit}</translation>
+  </message>
+  <message>
+   <source>max</source>
+   <translation>最大</translation>
+  </message>
+  <message>
    <source>max {largest} · mean {mean}</source>
    <translation>最大 {largest} · 平均 {mean}</translation>
+  </message>
+  <message>
+   <source>mean</source>
+   <translation>平均</translation>
   </message>
   <message>
    <source>mean cone distance</source>
@@ -5428,6 +6244,22 @@
   <message>
    <source>mean {value} µm</source>
    <translation>平均 {value} µm</translation>
+  </message>
+  <message>
+   <source>member</source>
+   <translation>构件</translation>
+  </message>
+  <message>
+   <source>method</source>
+   <translation>方法</translation>
+  </message>
+  <message>
+   <source>micro-geometry</source>
+   <translation>微观几何</translation>
+  </message>
+  <message>
+   <source>middle of an edge</source>
+   <translation>边的中点</translation>
   </message>
   <message>
    <source>mm</source>
@@ -5462,6 +6294,14 @@
    <translation>无曲率可显示</translation>
   </message>
   <message>
+   <source>no deviation here</source>
+   <translation>此处无偏差</translation>
+  </message>
+  <message>
+   <source>no font with Chinese characters was found, so the report is in English; install one, such as Noto Sans CJK</source>
+   <translation>未找到含中文字符的字体，因此报告为英文；请安装一种，例如 Noto Sans CJK</translation>
+  </message>
+  <message>
    <source>non-uniform</source>
    <translation>非均匀</translation>
   </message>
@@ -5470,8 +6310,20 @@
    <translation>无</translation>
   </message>
   <message>
+   <source>not built</source>
+   <translation>未构建</translation>
+  </message>
+  <message>
    <source>not computable</source>
    <translation>无法计算</translation>
+  </message>
+  <message>
+   <source>not measured</source>
+   <translation>未测量</translation>
+  </message>
+  <message>
+   <source>not reached</source>
+   <translation>未达到</translation>
   </message>
   <message>
    <source>not valid: {count} problems</source>
@@ -5490,12 +6342,24 @@
    <translation>数</translation>
   </message>
   <message>
+   <source>offset axes</source>
+   <translation>偏置轴</translation>
+  </message>
+  <message>
+   <source>one tooth</source>
+   <translation>一个齿</translation>
+  </message>
+  <message>
    <source>optimised</source>
    <translation>优化</translation>
   </message>
   <message>
    <source>outer cone distance</source>
    <translation>外锥距</translation>
+  </message>
+  <message>
+   <source>outer cone distance {distance} mm, face width {width} mm (wheel)</source>
+   <translation>外锥距 {distance} mm，齿宽 {width} mm（大轮）</translation>
   </message>
   <message>
    <source>outer module</source>
@@ -5512,6 +6376,10 @@
   <message>
    <source>outside diameter</source>
    <translation>外径</translation>
+  </message>
+  <message>
+   <source>oz in²</source>
+   <translation>oz in²</translation>
   </message>
   <message>
    <source>pair</source>
@@ -5538,12 +6406,20 @@
    <translation>节锥角</translation>
   </message>
   <message>
+   <source>pitch error [µm]</source>
+   <translation>齿距偏差 [µm]</translation>
+  </message>
+  <message>
    <source>plane that touches the wheel's face cone</source>
    <translation>与大轮面锥相切的平面</translation>
   </message>
   <message>
    <source>plane that touches the wheel's root cone</source>
    <translation>与大轮根锥相切的平面</translation>
+  </message>
+  <message>
+   <source>point of the 7 × 7 series, toe to heel</source>
+   <translation>7 × 7 点列序号，由小端到大端</translation>
   </message>
   <message>
    <source>point_cloud</source>
@@ -5574,6 +6450,10 @@
    <translation>{host} 上的进程 {number}</translation>
   </message>
   <message>
+   <source>profile 0-1</source>
+   <translation>齿廓 0-1</translation>
+  </message>
+  <message>
    <source>profile_sweep</source>
    <translation>齿廓扫掠</translation>
   </message>
@@ -5592,6 +6472,18 @@
   <message>
    <source>right</source>
    <translation>右</translation>
+  </message>
+  <message>
+   <source>right-hand pinion</source>
+   <translation>小轮右旋</translation>
+  </message>
+  <message>
+   <source>rim</source>
+   <translation>轮缘</translation>
+  </message>
+  <message>
+   <source>rms</source>
+   <translation>均方根</translation>
   </message>
   <message>
    <source>roll angle at the pitch cone</source>
@@ -5618,6 +6510,14 @@
    <translation>第二种方法，平均</translation>
   </message>
   <message>
+   <source>seconds</source>
+   <translation>秒</translation>
+  </message>
+  <message>
+   <source>seconds for both flanks</source>
+   <translation>两侧齿面用时（秒）</translation>
+  </message>
+  <message>
    <source>section 3</source>
    <translation>第 3 节</translation>
   </message>
@@ -5634,6 +6534,22 @@
    <translation>截面</translation>
   </message>
   <message>
+   <source>series</source>
+   <translation>系列</translation>
+  </message>
+  <message>
+   <source>shank</source>
+   <translation>轴柄</translation>
+  </message>
+  <message>
+   <source>shift</source>
+   <translation>移动</translation>
+  </message>
+  <message>
+   <source>single</source>
+   <translation>单个</translation>
+  </message>
+  <message>
    <source>skin</source>
    <translation>蒙皮</translation>
   </message>
@@ -5644,6 +6560,10 @@
   <message>
    <source>solids</source>
    <translation>实体</translation>
+  </message>
+  <message>
+   <source>solids: {count}</source>
+   <translation>实体：{count}</translation>
   </message>
   <message>
    <source>spacing</source>
@@ -5670,6 +6590,18 @@
    <translation>正在拍摄视图</translation>
   </message>
   <message>
+   <source>tan β(ρ) = ρ ψ_t′(ρ) at R_e</source>
+   <translation>tan β(ρ) = ρ ψ_t′(ρ) 于 R_e</translation>
+  </message>
+  <message>
+   <source>tan β(ρ) = ρ ψ_t′(ρ) at R_i</source>
+   <translation>tan β(ρ) = ρ ψ_t′(ρ) 于 R_i</translation>
+  </message>
+  <message>
+   <source>tan β(ρ) = ρ ψ_t′(ρ) at R_m</source>
+   <translation>tan β(ρ) = ρ ψ_t′(ρ) 于 R_m</translation>
+  </message>
+  <message>
    <source>teeth</source>
    <translation>齿</translation>
   </message>
@@ -5686,6 +6618,14 @@
    <translation>文件已不存在</translation>
   </message>
   <message>
+   <source>the file is gone; its record is still there</source>
+   <translation>文件已不存在；其记录仍在</translation>
+  </message>
+  <message>
+   <source>the file is not as it was written: its checksum is another</source>
+   <translation>文件与写出时不同：校验和不符</translation>
+  </message>
+  <message>
    <source>the mate has no flank here</source>
    <translation>配对轮在此无齿面</translation>
   </message>
@@ -5694,8 +6634,16 @@
    <translation>论文的齿轮：{low} … {high} µm，平均 {means} µm</translation>
   </message>
   <message>
+   <source>the record does not say what was found</source>
+   <translation>记录未说明检查结果</translation>
+  </message>
+  <message>
    <source>the views are not there yet</source>
    <translation>视图尚未就绪</translation>
+  </message>
+  <message>
+   <source>the window shows solids and not the flanks</source>
+   <translation>窗口显示的是实体而非齿面</translation>
   </message>
   <message>
    <source>theory, section {number}</source>
@@ -5706,12 +6654,20 @@
    <translation>第三种方法，平均</translation>
   </message>
   <message>
+   <source>this takes more memory than the {limit} MB that the CAD kernel may have; ask for less, or raise the limit in the preferences</source>
+   <translation>这需要的内存超过 CAD 内核允许的 {limit} MB；请减少要求，或在首选项中提高上限</translation>
+  </message>
+  <message>
    <source>tip</source>
    <translation>齿顶</translation>
   </message>
   <message>
    <source>toe</source>
    <translation>小端</translation>
+  </message>
+  <message>
+   <source>tolerance</source>
+   <translation>公差</translation>
   </message>
   <message>
    <source>tolerance {value}</source>
@@ -5738,6 +6694,10 @@
    <translation>三角形，用于打印</translation>
   </message>
   <message>
+   <source>turn</source>
+   <translation>转动</translation>
+  </message>
+  <message>
    <source>turn of contact over the face at half the depth, over the pitch</source>
    <translation>齿高一半处沿齿宽接触的转角与齿距之比</translation>
   </message>
@@ -5750,6 +6710,10 @@
    <translation>整个齿面接触的转角与齿距之比</translation>
   </message>
   <message>
+   <source>turn of the pinion [°]</source>
+   <translation>小轮转角 [°]</translation>
+  </message>
+  <message>
    <source>updating…</source>
    <translation>更新中…</translation>
   </message>
@@ -5760,10 +6724,6 @@
   <message>
    <source>valid</source>
    <translation>有效</translation>
-  </message>
-  <message>
-   <source>views: the window shows solids and not the flanks</source>
-   <translation>视图：窗口显示的是实体而非齿面</translation>
   </message>
   <message>
    <source>waiting for the CAD kernel</source>
@@ -5786,8 +6746,16 @@
    <translation>大轮</translation>
   </message>
   <message>
+   <source>whole gear</source>
+   <translation>整个齿轮</translation>
+  </message>
+  <message>
    <source>with the backlash's share</source>
    <translation>计入侧隙份额</translation>
+  </message>
+  <message>
+   <source>within</source>
+   <translation>合格</translation>
   </message>
   <message>
    <source>writing…</source>
@@ -5838,16 +6806,48 @@
    <translation>{count}：保留最后的有效模型</translation>
   </message>
   <message>
+   <source>{curve}, spiral angle {spiral}° ({place}), pressure angle {pressure}° ({kind})</source>
+   <translation>{curve}，螺旋角 {spiral}°（{place}），压力角 {pressure}°（{kind}）</translation>
+  </message>
+  <message>
+   <source>{direction}, {size}″ peak to peak</source>
+   <translation>{direction}，峰峰值 {size}″</translation>
+  </message>
+  <message>
+   <source>{direction}: ease-off and lines of contact</source>
+   <translation>{direction}：ease-off 与接触线</translation>
+  </message>
+  <message>
    <source>{faces} faces · flanks within {largest} · built in {took}</source>
    <translation>{faces} 个面 · 齿面偏差 {largest} 以内 · 用时 {took}</translation>
+  </message>
+  <message>
+   <source>{face}, tooth {number}</source>
+   <translation>{face}，第 {number} 齿</translation>
+  </message>
+  <message>
+   <source>{fields} and {count} more</source>
+   <translation>{fields} 等另外 {count} 项</translation>
   </message>
   <message>
    <source>{file}, against the {member}</source>
    <translation>{file}，对比{member}</translation>
   </message>
   <message>
+   <source>{file}, against the {member}.</source>
+   <translation>{file}，与{member}比较。</translation>
+  </message>
+  <message>
    <source>{file}, against the {member}: points of {flanks} flank faces of {faces}</source>
    <translation>{file}，对比{member}：取自 {faces} 个面中的 {flanks} 个齿面</translation>
+  </message>
+  <message>
+   <source>{file}, against the {member}: points of {flanks} flank faces of {faces}.</source>
+   <translation>{file}，与{member}比较：取自 {faces} 个面中 {flanks} 个齿面的点。</translation>
+  </message>
+  <message>
+   <source>{flank}, {member}: signed deviation, plus is metal added; each map has a scale of its own.</source>
+   <translation>{member}{flank}：带符号偏差，正值表示多出材料；各图标尺各自独立。</translation>
   </message>
   <message>
    <source>{keys} belongs to “{command}”, which would lose it.</source>
@@ -5862,10 +6862,6 @@
    <translation>{member} {face}：距理论 {largest} µm 以内（允许 {limit} µm）</translation>
   </message>
   <message>
-   <source>{member}, cut face</source>
-   <translation>{member}，截面</translation>
-  </message>
-  <message>
    <source>{member}, {face}, tooth {number}</source>
    <translation>{member}，{face}，第 {number} 齿</translation>
   </message>
@@ -5878,8 +6874,32 @@
    <translation>{member}，{flank}齿面：偏差云图的所有点</translation>
   </message>
   <message>
+   <source>{member}, {method}: 5 × 9 points, plus is upwards.</source>
+   <translation>{member}，{method}：5 × 9 点，正值向上。</translation>
+  </message>
+  <message>
+   <source>{member}: Gaussian curvature, theory and the optimised surfaces on one scale.</source>
+   <translation>{member}：高斯曲率，理论与优化曲面同一标尺。</translation>
+  </message>
+  <message>
+   <source>{member}: deviation at 7 × 7 points of each flank; dotted: the means that the paper states.</source>
+   <translation>{member}：每侧齿面 7 × 7 点处的偏差；点线：论文给出的平均值。</translation>
+  </message>
+  <message>
+   <source>{member}: largest deviation over both flanks against the effort.</source>
+   <translation>{member}：两侧齿面的最大偏差与工作量的关系。</translation>
+  </message>
+  <message>
+   <source>{member}: measured deviation, mean of all teeth; a bar upwards and red is metal added.</source>
+   <translation>{member}：实测偏差，各齿平均；条向上及红色表示多出材料。</translation>
+  </message>
+  <message>
    <source>{member}: no blank yet</source>
    <translation>{member}：尚无轮坯</translation>
+  </message>
+  <message>
+   <source>{member}: pitch errors of the teeth that were measured.</source>
+   <translation>{member}：已测轮齿的齿距偏差。</translation>
   </message>
   <message>
    <source>{method}: modifications left out</source>
@@ -5888,6 +6908,10 @@
   <message>
    <source>{method}: the nearest flank that a rigid line sweeps</source>
    <translation>{method}：刚性直线扫出的最近齿面</translation>
+  </message>
+  <message>
+   <source>{moment} by {program}, {kernel}</source>
+   <translation>{moment}，{program}，{kernel}</translation>
   </message>
   <message>
    <source>{name} (missing)</source>
@@ -5934,6 +6958,18 @@
    <translation>{all} 个已发表值中 {passed} 个与最后一位印刷数字一致</translation>
   </message>
   <message>
+   <source>{pinion} / {wheel} teeth, outer module {module} mm, shaft angle {angle}°, {hand}</source>
+   <translation>{pinion} / {wheel} 齿，大端模数 {module} mm，轴交角 {angle}°，{hand}</translation>
+  </message>
+  <message>
+   <source>{quantity}, {flank}</source>
+   <translation>{quantity}，{flank}</translation>
+  </message>
+  <message>
+   <source>{size} µm for the optimised variants</source>
+   <translation>优化变体 {size} µm</translation>
+  </message>
+  <message>
    <source>{summary} ({section} of the paper)</source>
    <translation>{summary}（论文{section}）</translation>
   </message>
@@ -5964,12 +7000,20 @@ Drag an end of the bar to change the range, double-click to type it. Grey: no va
    <translation>{title}[*] – GearStudio</translation>
   </message>
   <message>
+   <source>{view}: {problem}</source>
+   <translation>{view}：{problem}</translation>
+  </message>
+  <message>
    <source>{words}; {failed} do not.</source>
    <translation>{words}；{failed} 个不一致。</translation>
   </message>
   <message>
    <source>{w} × {h} pixels</source>
    <translation>{w} × {h} 像素</translation>
+  </message>
+  <message>
+   <source>×1, as it is</source>
+   <translation>×1，原样</translation>
   </message>
   <message>
    <source>Σ  shaft angle</source>
@@ -6135,6 +7179,10 @@ Drag an end of the bar to change the range, double-click to type it. Grey: no va
    <translation>刀盘半径 {0} mm 不能横跨全齿宽</translation>
   </message>
   <message>
+   <source>a cutter radius of {0} mm</source>
+   <translation>刀盘半径 {0} mm</translation>
+  </message>
+  <message>
    <source>a face is missing or not valid</source>
    <translation>某个面缺失或无效</translation>
   </message>
@@ -6163,10 +7211,6 @@ Drag an end of the bar to change the range, double-click to type it. Grey: no va
    <translation>轮毂长 {0} mm 超出小端；请取至多 {1} mm</translation>
   </message>
   <message>
-   <source>a larger clearance or shallower teeth</source>
-   <translation>较大顶隙或较矮的齿</translation>
-  </message>
-  <message>
    <source>a larger pressure angle or more teeth</source>
    <translation>较大的压力角或更多齿数</translation>
   </message>
@@ -6193,6 +7237,10 @@ Drag an end of the bar to change the range, double-click to type it. Grey: no va
   <message>
    <source>a pressure angle of {0}°</source>
    <translation>压力角 {0}°</translation>
+  </message>
+  <message>
+   <source>a profile shift of {0}</source>
+   <translation>变位系数 {0}</translation>
   </message>
   <message>
    <source>a shaft angle of {0}° makes the wheel's pitch cone {1}°; it must stay below {2}°: use at most {3}°</source>
@@ -6225,6 +7273,10 @@ Drag an end of the bar to change the range, double-click to type it. Grey: no va
   <message>
    <source>a smaller profile shift or pressure angle</source>
    <translation>较小的变位或压力角</translation>
+  </message>
+  <message>
+   <source>a spiral angle of {0}°</source>
+   <translation>螺旋角 {0}°</translation>
   </message>
   <message>
    <source>a spiral angle of {0}° on the {1} with an offset of {2} mm turns the {3}'s teeth against their hand, to {4}°; {5} or an offset of the other sign</source>
@@ -6271,6 +7323,18 @@ Drag an end of the bar to change the range, double-click to type it. Grey: no va
    <translation>轮体 {0}</translation>
   </message>
   <message>
+   <source>building</source>
+   <translation>正在构建</translation>
+  </message>
+  <message>
+   <source>building {0}, {1}, {2}</source>
+   <translation>正在构建{0}，{1}，{2}</translation>
+  </message>
+  <message>
+   <source>checking</source>
+   <translation>正在检查</translation>
+  </message>
+  <message>
    <source>choosing faces</source>
    <translation>正在选择面</translation>
   </message>
@@ -6291,6 +7355,10 @@ Drag an end of the bar to change the range, double-click to type it. Grey: no va
    <translation>正在延伸齿面</translation>
   </message>
   <message>
+   <source>convergence</source>
+   <translation>收敛</translation>
+  </message>
+  <message>
    <source>cutting of the {0}</source>
    <translation>{0}的切削</translation>
   </message>
@@ -6305,6 +7373,10 @@ Drag an end of the bar to change the range, double-click to type it. Grey: no va
   <message>
    <source>does not reach everywhere: {0}</source>
    <translation>未到达各处：{0}</translation>
+  </message>
+  <message>
+   <source>drawing {0}</source>
+   <translation>正在绘制{0}</translation>
   </message>
   <message>
    <source>face angle {0}° and root angle {1}° of the wheel must lie between 0° and 90°; use smaller addendum and dedendum angles or the uniform taper</source>
@@ -6325,6 +7397,10 @@ Drag an end of the bar to change the range, double-click to type it. Grey: no va
   <message>
    <source>format {0} is unknown; this program reads format {1}</source>
    <translation>未知格式 {0}；本程序读取格式 {1}</translation>
+  </message>
+  <message>
+   <source>geometry data sheet</source>
+   <translation>几何数据表</translation>
   </message>
   <message>
    <source>give the pair deeper teeth or a larger overlap</source>
@@ -6475,8 +7551,8 @@ Drag an end of the bar to change the range, double-click to type it. Grey: no va
    <translation>无接触：某转角处小轮无齿面对大轮齿面；{0}</translation>
   </message>
   <message>
-   <source>no fillet of {0} mm joins root and start of contact on the {1}'s {2} flank; use a smaller fillet factor or a larger clearance</source>
-   <translation>{0} mm 的圆角无法连接{1}{2}齿面的齿根与接触起点；请用较小的圆角系数或较大顶隙</translation>
+   <source>no fillet of {0} mm joins root and start of contact on the {1}'s {2} flank</source>
+   <translation>没有 {0} mm 的圆角能连接{1}{2}齿面的齿根与啮合起点</translation>
   </message>
   <message>
    <source>no known format; use {0}</source>
@@ -6547,8 +7623,16 @@ Drag an end of the bar to change the range, double-click to type it. Grey: no va
    <translation>psi，齿线</translation>
   </message>
   <message>
+   <source>reading</source>
+   <translation>正在读取</translation>
+  </message>
+  <message>
    <source>recovery format {0} is not the {1} that this program reads</source>
    <translation>恢复格式 {0} 不是本程序读取的 {1}</translation>
+  </message>
+  <message>
+   <source>setting the pages</source>
+   <translation>正在排版</translation>
   </message>
   <message>
    <source>smaller amounts on both flanks of this member</source>
@@ -6655,8 +7739,8 @@ Drag an end of the bar to change the range, double-click to type it. Grey: no va
    <translation>找不到准双曲面齿的圆角</translation>
   </message>
   <message>
-   <source>the fillets of neighbouring {0} teeth overlap; use a smaller fillet factor</source>
-   <translation>{0}相邻齿的圆角重叠；请用较小的圆角系数</translation>
+   <source>the fillets of neighbouring {0} teeth overlap, however small they are</source>
+   <translation>{0}相邻齿的圆角重叠，无论多小</translation>
   </message>
   <message>
    <source>the film could not be encoded</source>
@@ -6747,6 +7831,14 @@ Drag an end of the bar to change the range, double-click to type it. Grey: no va
    <translation>这些点不能区分转动与移动；请多测齿面或固定其一</translation>
   </message>
   <message>
+   <source>the points fit this {0} badly: {1} µm rms are left after the best fit, and no single number of the design explains them. Check that the part is of this design, and all points of its flanks</source>
+   <translation>这些点与此{0}吻合不好：最佳拟合后均方根偏差仍有 {1} µm，且没有任何单个设计参数能解释。请检查零件是否属于此设计，以及所有点是否都在其齿面上</translation>
+  </message>
+  <message>
+   <source>the points fit this {0} badly: {1} µm rms are left after the best fit; {2}. Check that the part is of this design, or give the design the value that it was made with</source>
+   <translation>这些点与此{0}吻合不好：最佳拟合后均方根偏差仍有 {1} µm；{2}。请检查零件是否属于此设计，或将设计改为其加工时的数值</translation>
+  </message>
+  <message>
    <source>the points look as if they were in {0}: multiplied by {1} they lie on the {2}'s teeth; convert them to mm</source>
    <translation>这些点似乎以 {0} 为单位：乘 {1} 后位于{2}的齿上；请换算为 mm</translation>
   </message>
@@ -6807,10 +7899,6 @@ Drag an end of the bar to change the range, double-click to type it. Grey: no va
    <translation>体积相差 {0}</translation>
   </message>
   <message>
-   <source>the volume of a {0} with end chamfers is integrated without an offset only</source>
-   <translation>仅在无偏置时才对带端部倒角的{0}积分体积</translation>
-  </message>
-  <message>
    <source>the web's front face, {0} mm from the apex, must lie on the front cone between {1} and {2} mm; change the thickness by {3} mm</source>
    <translation>辐板前面距锥顶 {0} mm，必须在前锥 {1} 与 {2} mm 之间；请将厚度改变 {3} mm</translation>
   </message>
@@ -6835,10 +7923,6 @@ Drag an end of the bar to change the range, double-click to type it. Grey: no va
    <translation>{1}齿轮副的{0}</translation>
   </message>
   <message>
-   <source>the {0}'s flanks are undercut so near the start of contact that the fillets below overlap; use a smaller clearance factor, or a mean addendum factor that gives the pinion more profile shift</source>
-   <translation>{0}齿面在靠近啮合起点处根切，其下方的过渡圆角相互重叠；请用更小的顶隙系数，或使小轮变位更大的中点齿顶高系数</translation>
-  </message>
-  <message>
    <source>the {0}'s flanks are up to {1} µm from those of the design, which a rotating line cannot sweep; the faces are held against the flanks that it does sweep</source>
    <translation>{0}齿面与设计的相差至多 {1} µm，滚动直线无法扫出设计齿面；各面与其所能扫出的齿面比较</translation>
   </message>
@@ -6849,10 +7933,6 @@ Drag an end of the bar to change the range, double-click to type it. Grey: no va
   <message>
    <source>the {0}'s teeth are pointed below their face cone</source>
    <translation>{0}的齿在面锥以下变尖</translation>
-  </message>
-  <message>
-   <source>the {0}'s {1} flank meets its base cone along its fillet; use another fillet factor</source>
-   <translation>{0}{1}齿面沿圆角与其基锥相交；请用其他圆角系数</translation>
   </message>
   <message>
    <source>the {0}'s {1} {2}</source>
@@ -6947,6 +8027,10 @@ Drag an end of the bar to change the range, double-click to type it. Grey: no va
    <translation>小端端面</translation>
   </message>
   <message>
+   <source>tooth contact</source>
+   <translation>轮齿接触</translation>
+  </message>
+  <message>
    <source>tooth {0} {1}</source>
    <translation>第 {0} 齿 {1}</translation>
   </message>
@@ -6979,12 +8063,24 @@ Drag an end of the bar to change the range, double-click to type it. Grey: no va
    <translation>请用齿高系数 {0} 和中点齿顶高系数 {1}</translation>
   </message>
   <message>
+   <source>use a larger clearance or shallower teeth</source>
+   <translation>请增大顶隙或减小齿高</translation>
+  </message>
+  <message>
    <source>use a mean addendum factor of {0} (a profile shift of the pinion of {1})</source>
    <translation>请用中点齿顶高系数 {0}（小轮变位 {1}）</translation>
   </message>
   <message>
    <source>use a pressure angle of {0}° with a mean addendum factor of {1}</source>
    <translation>请用压力角 {0}° 和中点齿顶高系数 {1}</translation>
+  </message>
+  <message>
+   <source>use a smaller clearance, or other depths that leave the teeth more space at the root</source>
+   <translation>请减小顶隙，或采用其他齿高，使齿根处有更多空间</translation>
+  </message>
+  <message>
+   <source>use a smaller fillet factor or a larger clearance</source>
+   <translation>请减小齿根圆角系数或增大顶隙</translation>
   </message>
   <message>
    <source>use a smaller offset</source>
@@ -7015,6 +8111,14 @@ Drag an end of the bar to change the range, double-click to type it. Grey: no va
    <translation>请用 {0}</translation>
   </message>
   <message>
+   <source>waiting for pictures</source>
+   <translation>正在等待图片</translation>
+  </message>
+  <message>
+   <source>weighing</source>
+   <translation>正在称重</translation>
+  </message>
+  <message>
    <source>whole number</source>
    <translation>整数</translation>
   </message>
@@ -7027,6 +8131,10 @@ Drag an end of the bar to change the range, double-click to type it. Grey: no va
    <translation>有偏置时螺旋角在中点给出；请用中点</translation>
   </message>
   <message>
+   <source>with {0} instead of {1} it would be {2} µm</source>
+   <translation>若为{0}而不是{1}，则为 {2} µm</translation>
+  </message>
+  <message>
    <source>writing {0}</source>
    <translation>正在写出 {0}</translation>
   </message>
@@ -7037,6 +8145,10 @@ Drag an end of the bar to change the range, double-click to type it. Grey: no va
   <message>
    <source>{0} after reading the file back</source>
    <translation>回读文件后{0}</translation>
+  </message>
+  <message>
+   <source>{0} asks for fillets of {1} mm on the {2}, which do not fit between its flanks and its root; they get {3} mm, as with a fillet factor of {4}</source>
+   <translation>{0} 要求{2}的圆角为 {1} mm，在齿面与齿根之间放不下；实际为 {3} mm，相当于齿根圆角系数 {4}</translation>
   </message>
   <message>
    <source>{0} cannot be a {1}; {2}</source>
@@ -7099,8 +8211,8 @@ Drag an end of the bar to change the range, double-click to type it. Grey: no va
    <translation>{0} 使某轮中点无齿顶高；请用较小变位或较大齿顶高系数</translation>
   </message>
   <message>
-   <source>{0} leaves the {1} no root: {2}{3}</source>
-   <translation>{0} 使{1}没有齿根：{2}{3}</translation>
+   <source>{0} leaves the {1} no root: {2}; {3}</source>
+   <translation>{0} 使{1}没有齿根：{2}；{3}</translation>
   </message>
   <message>
    <source>{0} leaves the {1} no {2} ({3} mm): its teeth do not reach across the pitch cone; use {4}</source>
@@ -7173,6 +8285,14 @@ Drag an end of the bar to change the range, double-click to type it. Grey: no va
   <message>
    <source>{0} solids instead of {1} were found</source>
    <translation>找到 {0} 个实体而非 {1} 个</translation>
+  </message>
+  <message>
+   <source>{0} teeth</source>
+   <translation>{0} 齿</translation>
+  </message>
+  <message>
+   <source>{0} to {1}</source>
+   <translation>{0} 至 {1}</translation>
   </message>
   <message>
    <source>{0} tooth of the {1}</source>
