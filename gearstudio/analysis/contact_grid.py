@@ -151,7 +151,7 @@ class _Edges:
         """Places beyond an edge moved inside by the inset: of the ends along the face, then of the tip."""
         for _ in range(_CORRECTIONS):
             tip, _, toe, heel = grid.mesh.margins(grid.mesh.place(grid.points_near(u, v), turn))
-            if min(tip.min(), toe.min(), heel.min()) >= 0:
+            if np.all(np.minimum(tip, np.minimum(toe, heel)) >= 0):
                 break
             ahead = np.where(toe < 0, inset - toe, 0.0) - np.where(heel < 0, inset - heel, 0.0)
             ahead /= self.end_by_v
