@@ -32,7 +32,7 @@ from gearstudio.nurbs import NurbsSurface, basis_matrix
 Floats = NDArray[np.float64]
 Placed = tuple[Floats, Floats]
 
-_ELEMENTARY_NODES = 8
+_ELEMENTARY_NODES, _STRAIGHT_NODES = 8, 4
 _MORE_FOR_RATIONAL = 12
 _EIGHTHS = np.linspace(-8 * np.pi, 8 * np.pi, 65)
 
@@ -126,7 +126,7 @@ class Flat:
     axes: Floats
     breaks_u: Floats
     breaks_v: Floats
-    nodes: tuple[int, int] = (_ELEMENTARY_NODES, _ELEMENTARY_NODES)
+    nodes: tuple[int, int] = (_STRAIGHT_NODES, _STRAIGHT_NODES)
 
     @staticmethod
     def of(surface: Geom_Plane) -> Flat:
@@ -154,14 +154,15 @@ class Turned:
     meridian: Meridian
     breaks_u: Floats
     breaks_v: Floats
-    nodes: tuple[int, int] = (_ELEMENTARY_NODES, _ELEMENTARY_NODES)
+    nodes: tuple[int, int] = (_ELEMENTARY_NODES, _STRAIGHT_NODES)
 
     @staticmethod
     def of(surface: Geom_ElementarySurface, meridian: Meridian) -> Turned:
         """Of a kernel surface and its meridian."""
         origin, axes = _frame(surface)
-        round_ = isinstance(surface, Geom_SphericalSurface | Geom_ToroidalSurface)
-        return Turned(origin, axes, meridian, _EIGHTHS, _EIGHTHS if round_ else np.empty(0))
+        if isinstance(surface, Geom_SphericalSurface | Geom_ToroidalSurface):
+            return Turned(origin, axes, meridian, _EIGHTHS, _EIGHTHS, (_ELEMENTARY_NODES, _ELEMENTARY_NODES))
+        return Turned(origin, axes, meridian, _EIGHTHS, np.empty(0))
 
     def at(self, u: Floats, v: Floats) -> Placed:
         """See `Parametric.at`."""
@@ -214,7 +215,9 @@ class Evaluated:
     def of(surface: Geom_Surface) -> Evaluated:
         """Of a kernel surface."""
         straight = isinstance(surface, Geom_SurfaceOfRevolution) and _is_line(surface.BasisCurve())
-        return Evaluated(surface, _EIGHTHS, np.empty(0) if straight else _EIGHTHS)
+        if straight:
+            return Evaluated(surface, _EIGHTHS, np.empty(0), (_ELEMENTARY_NODES, _STRAIGHT_NODES))
+        return Evaluated(surface, _EIGHTHS, _EIGHTHS)
 
     def at(self, u: Floats, v: Floats) -> Placed:
         """See `Parametric.at`."""

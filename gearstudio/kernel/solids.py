@@ -15,7 +15,7 @@ from OCP.TopExp import TopExp, TopExp_Explorer
 from OCP.TopoDS import TopoDS, TopoDS_Edge, TopoDS_Face, TopoDS_Shape
 
 from gearstudio.kernel.boxes import bounding_box
-from gearstudio.kernel.weighing import weigh
+from gearstudio.kernel.weighing import volume_of, weigh
 
 Floats = NDArray[np.float64]
 
@@ -72,7 +72,7 @@ def check_solid(shape: TopoDS_Shape) -> SolidCheck:
 
 def solid_volume(shape: TopoDS_Shape) -> float:
     """Volume [mm^3], positive when the faces look outward."""
-    return weigh(shape).volume
+    return volume_of(shape)
 
 
 def is_closed(shape: TopoDS_Shape) -> bool:

@@ -8,7 +8,7 @@ tolerance to set. The kernel's own integrals are 2e-6 off where the profile of a
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import cache, lru_cache
 from typing import NamedTuple
@@ -30,6 +30,9 @@ from gearstudio.nurbs import basis_matrix
 
 Floats = NDArray[np.float64]
 
+Integrand = Callable[[Floats, Floats], Floats]
+
+_AREA = 1
 _NODES_ON_SPLINE = 10
 _PARTS_OF_ANY = 16
 _NEWTON_STEPS = 3
@@ -62,12 +65,17 @@ class Weight:
 
 def weigh(shape: TopoDS_Shape) -> Weight:
     """Integrate over all faces of a shape."""
-    totals = sum((_face_integrals(face) for face in _faces(shape)), np.zeros(11))
+    totals = sum((_face_integrals(face, _integrand) for face in _faces(shape)), np.zeros(11))
     volume, area, first = float(totals[0]), float(totals[1]), totals[2:5]
     centre = first / volume if volume else np.zeros(3)
     xx, yy, zz, xy, yz, zx = totals[5:]
     second = np.array([[xx, xy, zx], [xy, yy, yz], [zx, yz, zz]]) - volume * np.outer(centre, centre)
     return Weight(volume, area, centre, np.trace(second) * np.eye(3) - second)
+
+
+def volume_of(shape: TopoDS_Shape) -> float:
+    """The volume alone [mm^3], in half the time."""
+    return float(sum(_face_integrals(face, _volume_alone)[0] for face in _faces(shape)))
 
 
 def _faces(shape: TopoDS_Shape) -> Iterator[TopoDS_Face]:
@@ -92,7 +100,11 @@ def _integrand(points: Floats, normals: Floats) -> Floats:
     return found
 
 
-def _face_integrals(face: TopoDS_Face) -> Floats:
+def _volume_alone(points: Floats, normals: Floats) -> Floats:
+    return np.asarray(np.sum(points * normals, axis=-1, keepdims=True) / 3)
+
+
+def _face_integrals(face: TopoDS_Face, integrand: Integrand) -> Floats:
     """The integrals over a face; the area counts, the others have the sign of the side that looks outward."""
     surface = parametric(BRep_Tool.Surface_s(face))
     upright = TopoDS.Face(face.Oriented(_FORWARD))
@@ -100,10 +112,10 @@ def _face_integrals(face: TopoDS_Face) -> Floats:
     if not isinstance(surface, SplinePatch):
         pieces = [Piece(*(np.concatenate(parts) for parts in zip(*pieces, strict=True)))]
     start = _first_v(surface, pieces[0].places)
-    total = -sum((piece.steps @ _across(surface, piece.places, start) for piece in pieces), np.zeros(11))
+    total = -np.sum([piece.steps @ _across(surface, piece.places, start, integrand) for piece in pieces], axis=0)
     if face.Orientation() == _REVERSED:
-        total[[0, *range(2, 11)]] *= -1
-    return total
+        total[np.arange(len(total)) != _AREA] *= -1
+    return np.asarray(total)
 
 
 def _edges(face: TopoDS_Face) -> Iterator[TopoDS_Edge]:
@@ -199,12 +211,12 @@ def _between(first: float, last: float, breaks: Floats) -> Floats:
     return np.asarray(np.r_[first, breaks[(breaks > first) & (breaks < last)], last])
 
 
-def _across(surface: Parametric, places: Floats, start: float) -> Floats:
-    """The integrals by v from a start to each place, shape (n, 11)."""
+def _across(surface: Parametric, places: Floats, start: float, integrand: Integrand) -> Floats:
+    """The integrals by v from a start to each place, shape (n, number of integrals)."""
     u, v = places.T
     if np.ptp(v) == 0:
         nodes, weights = _gauss(_from(start, float(v[0]), surface.breaks_v), surface.nodes[1])
-        return np.asarray(np.einsum("k,nkj->nj", weights, _integrand(*surface.at(u, nodes))))
+        return np.asarray(np.einsum("k,nkj->nj", weights, integrand(*surface.at(u, nodes))))
     breaks = surface.breaks_v[(surface.breaks_v > min(start, v.min())) & (surface.breaks_v < max(start, v.max()))]
     low, high = np.minimum(start, v)[:, None], np.maximum(start, v)[:, None]
     bounds = np.hstack([low, np.clip(np.broadcast_to(breaks, (len(v), len(breaks))), low, high), high])
@@ -212,7 +224,7 @@ def _across(surface: Parametric, places: Floats, start: float) -> Floats:
     size = np.diff(bounds)[..., None]
     nodes = (bounds[:, :-1, None] + size * x).reshape(len(v), -1)
     weights = np.where(v >= start, 1.0, -1.0)[:, None] * (size * w).reshape(len(v), -1)
-    return np.asarray(np.einsum("nk,nkj->nj", weights, _integrand(*surface.at(u, nodes))))
+    return np.asarray(np.einsum("nk,nkj->nj", weights, integrand(*surface.at(u, nodes))))
 
 
 def _from(start: float, end: float, breaks: Floats) -> Floats:

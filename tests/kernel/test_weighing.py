@@ -25,7 +25,7 @@ from OCP.TopoDS import TopoDS
 
 from gearstudio.analysis.volume import gear_volume
 from gearstudio.design import Design
-from gearstudio.kernel.weighing import weigh
+from gearstudio.kernel.weighing import volume_of, weigh
 from gearstudio.methods.gear import build_gear
 from tests.kernel.gears import changed
 
@@ -51,6 +51,7 @@ def test_bodies_weigh_what_their_formulas_say(name: str, as_spline: bool) -> Non
     weight = weigh(made)
     near = 1e-7 if as_spline else 1e-12
     assert weight.volume == pytest.approx(volume, rel=near)
+    assert volume_of(made) == pytest.approx(volume, rel=near)
     assert weight.area == pytest.approx(area, rel=near)
     np.testing.assert_allclose(weight.centre, centre, atol=10 * near)
     np.testing.assert_allclose(weight.inertia, np.diag(inertia), rtol=near, atol=near * max(inertia))
