@@ -13,11 +13,11 @@ from PySide6.QtWidgets import QApplication
 from gearstudio.design import Design, field_specs, with_field
 from gearstudio.errors import FileError, ModellingError
 from gearstudio.validation import read_design
+from gearstudio.words import compiled
 from tests.ui.reading import texts_of
 from tests.ui.stand_ins import Bench
 from tools import translations
 from ui.language import install, language_of_system
-from gearstudio.words import compiled
 from ui.sentences import templates, translated
 from ui.words import inline, told, tr
 
