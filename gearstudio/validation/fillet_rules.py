@@ -32,8 +32,11 @@ def _fillets(design: Design) -> Iterator[Finding]:
         if error is None:
             continue
         found = _remedy(design, member, error)
-        field = found.field or _FIELD
-        yield Finding(field, f"{present(design, field)} leaves the {member.name} no root: {error.reason}; {found.text}")
+        value, field = present(design, found.field or _FIELD), found.field or _FIELD
+        if found.text:
+            yield Finding(field, f"{value} leaves the {member.name} no root: {error.reason}; use {found.text}")
+        else:
+            yield Finding(field, f"{value} leaves the {member.name} no root: {error.reason}; {error.remedy}")
 
 
 def _remedy(design: Design, member: MemberGeometry, error: FilletError) -> Cure:
@@ -47,11 +50,11 @@ def _remedy(design: Design, member: MemberGeometry, error: FilletError) -> Cure:
     if factor is not None:
         offers, field = [offer(design, _FIELD, factor)], _FIELD
     if field and seconds_left() < _UNHURRIED_S:
-        return Cure(f"use {offers[0]}", field)
+        return Cure(offers[0], field)
     others = [] if field else [(_FIELD, 0.01)]
     found = cure(design, works, [*others, ("tooth.clearance_factor", 0.5), ("tooth.clearance_factor", 0.05)], _SCAN)
     offers += [found.text] if found.text else []
-    return Cure(f"use {' or '.join(offers)}" if offers else error.remedy, field or found.field)
+    return Cure(" or ".join(offers), field or found.field)
 
 
 def _largest(design: Design, name: str, error: FilletError) -> float | None:
