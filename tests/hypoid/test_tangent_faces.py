@@ -162,3 +162,17 @@ def test_solids_with_tangent_faces(key: str, method: str) -> None:
         name = face.title(gear.member.hand)
         off = np.abs(theory.distance(name, face.surface.uniform_grid(23, 29))).max()
         assert off < (1e-4 if face.kind == "flank" else 1e-3), (name, off)
+
+
+@pytest.mark.parametrize("key", DEEP)
+def test_points_of_every_face_are_known_by_all_of_them(key: str) -> None:
+    """Far from a flank, where it would be undercut, its distance is told all the same: so are faces of a file named."""
+    pinion = pair_geometry(deep(key)).pinion
+    profile = profile_of(pinion)
+    theory = GearTheory(pinion, profile)
+    beyond = pinion.inner_cone_distance + np.linspace(-0.05, 1.05, 9) * pinion.face_width
+    for side in (1, -1):
+        for name in profile.below(side):
+            here = points(profile, name, side, np.linspace(0.0, 1.0, 5)[:, None], beyond)
+            for far in (here, 0.8 * here, 1.2 * here):
+                assert all(np.all(np.isfinite(theory.distance(face, far))) for face in theory.names)

@@ -17,6 +17,7 @@ from gearstudio.theory.hypoid.edge import StartOfContact, start_of_contact
 from gearstudio.theory.hypoid.envelope import Envelope
 from gearstudio.theory.hypoid.inverse import Guess, generating_point
 from gearstudio.theory.hypoid.pair import HypoidPair
+from gearstudio.theory.hypoid.reach import Reach, reach_of
 from gearstudio.theory.hypoid.second import derivatives, principal_curvatures
 from gearstudio.theory.vectors import dot, quarter, spherical
 
@@ -27,7 +28,6 @@ _EDGE_STEPS = 8
 _FOOT_POINT_ACCURACY = 1e-12
 _SECOND_ORDER = 3e-7
 """Distances [of rho] whose first value, exact to second order, is right to 1e-13."""
-_BEYOND, _BELOW = 0.25, 0.05
 _KEPT = 64
 
 
@@ -224,13 +224,8 @@ class ConjugateFlank:
         return start_of_contact(self.envelope, self.member, self.raised) if self.alike is None else self.alike._start
 
     @cached_property
-    def _below(self) -> float:
-        """Share of the height by which the flank is regular, and taken for granted, below its lower edge."""
-        try:
-            made = self.envelope.at(*self.coordinates(-_BELOW, np.linspace(0.0, 1.0, 9)))
-        except GeometryError:
-            return 0.0
-        return _BELOW if np.all(made.area_ratio > 0) else 0.0
+    def _reach(self) -> Reach:
+        return reach_of(self)
 
     def _end_distance(self, v: Floats) -> Floats:
         return np.asarray(self.member.inner_cone_distance + v * self.member.face_width)
@@ -263,10 +258,11 @@ class ConjugateFlank:
 
     def _within(self, rho: Floats, delta: Floats) -> tuple[Floats, Floats]:
         """The nearest place not far beyond the edges."""
-        m = self.member
-        v = np.clip((m.end_distance(rho, delta) - m.inner_cone_distance) / m.face_width, -_BEYOND, 1 + _BEYOND)
+        m, reach = self.member, self._reach
+        share = (m.end_distance(rho, delta) - m.inner_cone_distance) / m.face_width
+        v = np.clip(share, -reach.beside, 1 + reach.beside)
         low, high = self.limits(v)
-        delta = np.clip(delta, low - self._below * (high - low), high + _BEYOND * (high - low))
+        delta = np.clip(delta, low - reach.below * (high - low), high + reach.above * (high - low))
         return m.cone_distance(self._end_distance(v), delta), delta
 
 
