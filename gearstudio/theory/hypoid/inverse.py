@@ -15,7 +15,7 @@ from gearstudio.theory.vectors import dot
 
 Floats = NDArray[np.float64]
 
-_STEPS = 40
+_STEPS, _STEPS_FROM_GUESS = 40, 16
 _ACCURACY = 1e-12
 _NEARLY = 2e-8
 _GUESSES = 9
@@ -103,7 +103,7 @@ def generating_point(
         along = np.clip(middle + rho - mean_distance, near, far)
     longest = _LONGEST_SHARE * middle
     finish = False
-    for _ in range(_STEPS):
+    for _ in range(_STEPS if guess is None else _STEPS_FROM_GUESS):
         point, by_psi, by_rho = envelope.tangents(psi, along)
         distance = np.sqrt(dot(point, point))
         radius = np.hypot(point[..., 0], point[..., 1])
