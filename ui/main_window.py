@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 from PySide6.QtCore import QByteArray, QSettings, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QGuiApplication, QIcon, QPaintEvent
-from PySide6.QtWidgets import QDockWidget, QMainWindow, QSizePolicy, QToolBar, QWidget
+from PySide6.QtWidgets import QDockWidget, QMainWindow, QSizePolicy, QTabBar, QToolBar, QWidget
 
 from ui.actions import Actions
 from ui.analysis.area import COMPARISON, AnalysisArea
@@ -132,7 +132,15 @@ class MainWindow(QMainWindow):
 
     def restore_panels(self, layout: QByteArray) -> None:
         """Put the panels where `layout_state` found them."""
+        before = self._dock_tabs()
         self.restoreState(layout, LAYOUT_VERSION)
+        if len(self._dock_tabs()) > len(before):
+            for tabs in before:
+                tabs.hide()  # Qt has made new ones and left these in sight
+
+    def _dock_tabs(self) -> list[QTabBar]:
+        """Of panels that lie behind each other."""
+        return self.findChildren(QTabBar, options=Qt.FindChildOption.FindDirectChildrenOnly)
 
     def show_solid_mode(self, solid: bool) -> None:
         """The panel of solids in the place of the layers, at full height, or the layers again."""
@@ -201,7 +209,7 @@ class MainWindow(QMainWindow):
         super().paintEvent(event)
         if not self._painted:
             self._painted = True
-            QTimer.singleShot(0, self.first_painted)
+            QTimer.singleShot(0, self, self.first_painted.emit)
 
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:
         if dropped_files(event.mimeData()) != (None, ()):
@@ -211,10 +219,10 @@ class MainWindow(QMainWindow):
         design, others = dropped_files(event.mimeData())
         if design is not None:
             event.acceptProposedAction()
-            QTimer.singleShot(0, lambda: self.design_dropped.emit(design))
+            QTimer.singleShot(0, self, lambda: self.design_dropped.emit(design))
         if others:
             event.acceptProposedAction()
-            QTimer.singleShot(0, lambda: self.others_dropped.emit(others))
+            QTimer.singleShot(0, self, lambda: self.others_dropped.emit(others))
 
     def focusNextPrevChild(self, next_: bool) -> bool:
         """Tab goes through the window as one reads it, whatever is in sight at the moment."""
