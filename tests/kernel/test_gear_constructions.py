@@ -75,7 +75,7 @@ EXTREMES = [
 
 @pytest.mark.parametrize(("changes", "member"), EXTREMES)
 def test_spaces_are_cut_at_the_ends_of_the_permitted_range(changes: Changes, member: str) -> None:
-    cut = build_gear(changed(changes), member, "point_cloud", "optimised", "cut")
+    cut = build_gear(changed(changes), member, "profile_sweep", "optimised", "cut")
     assert is_valid(cut.solid)
     assert is_closed(cut.solid)
     assert measured_gap(cut.solid) <= 5e-5 * max(1.0, cut.member.outer_cone_distance / 250)
