@@ -221,20 +221,15 @@ def _crowded(parent: QWidget) -> Iterator[str]:
 
 
 def _arranged(parent: QWidget) -> list[QWidget]:
-    if isinstance(parent, QMainWindow):
-        flat = [child for child in parent.children() if isinstance(child, QWidget) and not child.isWindow()]
-        return [child for child in flat if parent.layout().indexOf(child) >= 0]
-    return list(_in_layout(parent.layout())) if parent.layout() is not None else []
+    """The children that stand in the parent's layout or in one within it.
 
-
-def _in_layout(layout: QLayout) -> Iterator[QWidget]:
-    for number in range(layout.count()):
-        item = layout.itemAt(number)
-        widget, inner = item.widget(), item.layout()
-        if widget is not None:
-            yield widget
-        elif inner is not None:
-            yield from _in_layout(inner)
+    Asked of the layouts, not of their items: what Qt deletes behind the bindings' back must not come to Python.
+    """
+    if parent.layout() is None:
+        return []
+    layouts = [parent.layout(), *parent.layout().findChildren(QLayout)]
+    flat = [child for child in parent.children() if isinstance(child, QWidget) and not child.isWindow()]
+    return [child for child in flat if any(one.indexOf(child) >= 0 for one in layouts)]
 
 
 def _scrolls(parent: QWidget) -> bool:

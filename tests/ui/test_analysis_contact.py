@@ -47,7 +47,7 @@ def test_the_perfect_pair_marks_the_whole_flank_and_has_a_flat_curve() -> None:
     chart = error_chart(view.result.drive)
     assert np.ptp(chart.series[0].y) < 1e-6 and np.ptp(chart.span_y) == pytest.approx(0.01)
     assert np.ptp(chart.series[0].x) == pytest.approx(3 * 360 / 17, rel=0.02)
-    assert dict(facts(view.result, "drive"))["Peak to peak"] == "< 0.0001″"
+    assert dict(facts(view.result, "drive"))["Peak to peak"] == "<\u202f10⁻⁴″"
     assert len(pattern_table(view.result.coast).rows) == view.result.coast.pinion.rho.size * 2
 
 

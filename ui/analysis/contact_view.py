@@ -110,7 +110,7 @@ def facts(result: ContactResult, direction: Direction) -> tuple[tuple[str, str],
     side = result.direction(direction)
     peak = side.peak_to_peak_arcsec
     return (
-        (tr("Peak to peak"), f"{significant(peak)}″" if peak >= 1e-4 else "< 0.0001″"),
+        (tr("Peak to peak"), f"{significant(peak)}″" if peak >= 1e-4 else "<\u202f10⁻⁴″"),
         (tr("Contact ratio"), f"{side.contact_ratio:.2f}"),
         (tr("Pattern"), f"{100 * side.pattern_share:.0f} %"),
         (tr("Backlash"), _backlash(result.play_mm)),

@@ -1,85 +1,106 @@
-"""A row of widgets that goes on in another line where there is no room for all of them."""
+"""A row of widgets that goes on in another line where there is no room for all of them.
+
+No layout of Qt's: a `QLayout` made in Python deals in items that Qt deletes behind the bindings' back, and what then
+gets such an item's address is taken for it.
+"""
 
 from __future__ import annotations
 
-from PySide6.QtCore import QPoint, QRect, QSize, Qt
-from PySide6.QtWidgets import QLayout, QLayoutItem, QWidget
+from PySide6.QtCore import QEvent, QObject, QPoint, QRect, QSize, Qt
+from PySide6.QtGui import QResizeEvent
+from PySide6.QtWidgets import QSizePolicy, QWidget
 
 
-class FlowRow(QLayout):
+class FlowRow(QWidget):
     """Widgets from left to right, each as large as it wants to be, in as many lines as that takes."""
 
     def __init__(self, spacing: int = 8) -> None:
         super().__init__()
-        self._items: list[QLayoutItem] = []
-        self.setContentsMargins(0, 0, 0, 0)
-        self.setSpacing(spacing)
+        self._spacing = spacing
+        self._widgets: list[QWidget] = []
+        policy = QSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Preferred)
+        policy.setHeightForWidth(True)
+        self.setSizePolicy(policy)
 
     def add(self, widget: QWidget) -> None:
         """Append a widget."""
-        self.addWidget(widget)
+        hidden = widget.isHidden() and widget.testAttribute(Qt.WidgetAttribute.WA_WState_ExplicitShowHide)
+        widget.setParent(self)
+        widget.setVisible(not hidden)
+        widget.installEventFilter(self)
+        self._widgets.append(widget)
+        self._arrange()
 
-    def addItem(self, item: QLayoutItem) -> None:
-        self._items.append(item)
-        self.invalidate()
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Close ranks when a widget comes or goes."""
+        if event.type() in (QEvent.Type.ShowToParent, QEvent.Type.HideToParent):
+            self._arrange()
+        return super().eventFilter(watched, event)
 
-    def count(self) -> int:
-        return len(self._items)
+    def event(self, event: QEvent) -> bool:
+        """A widget wants another size."""
+        if event.type() == QEvent.Type.LayoutRequest:
+            self._arrange()
+        return super().event(event)
 
-    def itemAt(self, index: int) -> QLayoutItem | None:
-        return self._items[index] if 0 <= index < len(self._items) else None
-
-    def takeAt(self, index: int) -> QLayoutItem | None:
-        return self._items.pop(index) if 0 <= index < len(self._items) else None
-
-    def expandingDirections(self) -> Qt.Orientation:
-        return Qt.Orientation(0)
-
-    def hasHeightForWidth(self) -> bool:
-        return True
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        self._place(self.rect(), move=True)
 
     def heightForWidth(self, width: int) -> int:
         return self._place(QRect(0, 0, width, 0), move=False)
 
-    def setGeometry(self, rect: QRect) -> None:
-        super().setGeometry(rect)
-        beyond = max(rect.height() - self.heightForWidth(rect.width()), 0)
-        self._place(rect.adjusted(0, beyond // 2, 0, 0), move=True)
-
     def sizeHint(self) -> QSize:
         """All in one line."""
-        sizes = [item.sizeHint() for item in self._items if not item.isEmpty()]
-        width = sum(size.width() for size in sizes) + self.spacing() * max(len(sizes) - 1, 0)
+        sizes = [size for _, size in self._sizes()]
+        width = sum(size.width() for size in sizes) + self._spacing * max(len(sizes) - 1, 0)
         return QSize(width, max((size.height() for size in sizes), default=0))
 
-    def minimumSize(self) -> QSize:
+    def minimumSizeHint(self) -> QSize:
         """The widest of them alone."""
-        sizes = [item.sizeHint() for item in self._items if not item.isEmpty()]
+        sizes = [size for _, size in self._sizes()]
         width = max((size.width() for size in sizes), default=0)
         return QSize(width, max((size.height() for size in sizes), default=0))
 
-    def maximumSize(self) -> QSize:
-        """What stands beside it has the room that is left."""
-        return QSize(self.sizeHint().width(), super().maximumSize().height())
+    def _sizes(self) -> list[tuple[QWidget, QSize]]:
+        shown = [widget for widget in self._widgets if not widget.isHidden()]
+        return [(widget, _size(widget)) for widget in shown]
+
+    def _arrange(self) -> None:
+        self.setMaximumWidth(max(self.sizeHint().width(), 1))  # what stands beside it has the room that is left
+        self.updateGeometry()
+        self._place(self.rect(), move=True)
 
     def _place(self, room: QRect, *, move: bool) -> int:
-        """Put the items into lines, centred in the height of their line; the height of all lines."""
-        top, line = 0, list[tuple[QLayoutItem, QSize]]()
-        for item in (*self._items, None):
-            size = QSize() if item is None or item.isEmpty() else item.sizeHint()
-            used = sum(one.width() + self.spacing() for _, one in line)
-            if line and (item is None or (size.isValid() and used + size.width() > room.width())):
-                height = max(one.height() for _, one in line)
-                if move:
-                    _settle(line, room.topLeft() + QPoint(0, top), height, self.spacing())
-                top, line = top + height + self.spacing() // 2, []
-            if item is not None and not item.isEmpty():
-                line.append((item, size))
-        return max(top - self.spacing() // 2, 0)
+        """Put the widgets into lines, centred in the height of their line and all lines in the room; their height."""
+        lines = list[list[tuple[QWidget, QSize]]]()
+        used = 0
+        for widget, size in self._sizes():
+            if not lines or used + size.width() > room.width():
+                lines.append([])
+                used = 0
+            lines[-1].append((widget, size))
+            used += size.width() + self._spacing
+        heights = [max(size.height() for _, size in line) for line in lines]
+        whole = sum(heights) + self._spacing // 2 * max(len(lines) - 1, 0)
+        if move:
+            top = max((room.height() - whole) // 2, 0)
+            for line, height in zip(lines, heights, strict=True):
+                _settle(line, QPoint(room.left(), room.top() + top), height, self._spacing)
+                top += height + self._spacing // 2
+        return whole
 
 
-def _settle(line: list[tuple[QLayoutItem, QSize]], corner: QPoint, height: int, spacing: int) -> None:
+def _size(widget: QWidget) -> QSize:
+    return (
+        widget.sizeHint()
+        .expandedTo(widget.minimumSizeHint())
+        .expandedTo(widget.minimumSize())
+        .boundedTo(widget.maximumSize())
+    )
+
+
+def _settle(line: list[tuple[QWidget, QSize]], corner: QPoint, height: int, spacing: int) -> None:
     x = corner.x()
-    for item, size in line:
-        item.setGeometry(QRect(QPoint(x, corner.y() + (height - size.height()) // 2), size))
+    for widget, size in line:
+        widget.setGeometry(QRect(QPoint(x, corner.y() + (height - size.height()) // 2), size))
         x += size.width() + spacing
