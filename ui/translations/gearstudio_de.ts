@@ -7740,7 +7740,7 @@ Ein Ende ziehen ändert den Bereich, Doppelklick gibt ihn ein. Grau: kein Wert</
   </message>
   <message>
    <source>the fillets of neighbouring {0} teeth overlap, however small they are</source>
-   <translation>die Fußrundungen benachbarter Zähne ({0}) überschneiden sich, wie klein sie auch sind</translation>
+   <translation>die Fußrundungen benachbarter Zähne überschneiden sich ({0}), so klein sie auch sind</translation>
   </message>
   <message>
    <source>the film could not be encoded</source>
@@ -8064,7 +8064,7 @@ Ein Ende ziehen ändert den Bereich, Doppelklick gibt ihn ein. Grau: kein Wert</
   </message>
   <message>
    <source>use a larger clearance or shallower teeth</source>
-   <translation>größeres Kopfspiel oder flachere Zähne verwenden</translation>
+   <translation>ein größeres Kopfspiel oder niedrigere Zähne verwenden</translation>
   </message>
   <message>
    <source>use a mean addendum factor of {0} (a profile shift of the pinion of {1})</source>
@@ -8076,7 +8076,7 @@ Ein Ende ziehen ändert den Bereich, Doppelklick gibt ihn ein. Grau: kein Wert</
   </message>
   <message>
    <source>use a smaller clearance, or other depths that leave the teeth more space at the root</source>
-   <translation>kleineres Kopfspiel verwenden oder andere Höhen, die den Zähnen am Fuß mehr Raum lassen</translation>
+   <translation>ein kleineres Kopfspiel verwenden, oder andere Zahnhöhen, die am Fuß mehr Platz lassen</translation>
   </message>
   <message>
    <source>use a smaller fillet factor or a larger clearance</source>
@@ -8209,6 +8209,10 @@ Ein Ende ziehen ändert den Bereich, Doppelklick gibt ihn ein. Grau: kein Wert</
   <message>
    <source>{0} leaves a member no addendum at the mean point; use a smaller profile shift or a larger addendum factor</source>
    <translation>{0} lässt einem Rad im Mittelpunkt keine Kopfhöhe; kleinere Profilverschiebung oder größeren Kopfhöhenfaktor nehmen</translation>
+  </message>
+  <message>
+   <source>{0} leaves the {1} no root: {2}; use {3}</source>
+   <translation>{0} lässt keinen Zahnfuß ({1}): {2}; {3} nehmen</translation>
   </message>
   <message>
    <source>{0} leaves the {1} no root: {2}; {3}</source>

@@ -4457,7 +4457,7 @@
   </message>
   <message>
    <source>Source</source>
-   <translation>出处</translation>
+   <translation>来源</translation>
   </message>
   <message>
    <source>Speed</source>
@@ -5527,7 +5527,7 @@
   </message>
   <message>
    <source>Verdict</source>
-   <translation>判定</translation>
+   <translation>结论</translation>
   </message>
   <message>
    <source>Views</source>
@@ -7740,7 +7740,7 @@ Drag an end of the bar to change the range, double-click to type it. Grey: no va
   </message>
   <message>
    <source>the fillets of neighbouring {0} teeth overlap, however small they are</source>
-   <translation>{0}相邻齿的圆角重叠，无论多小</translation>
+   <translation>{0}相邻轮齿的圆角无论多小都会重叠</translation>
   </message>
   <message>
    <source>the film could not be encoded</source>
@@ -8064,7 +8064,7 @@ Drag an end of the bar to change the range, double-click to type it. Grey: no va
   </message>
   <message>
    <source>use a larger clearance or shallower teeth</source>
-   <translation>请增大顶隙或减小齿高</translation>
+   <translation>请使用较大的顶隙或较矮的轮齿</translation>
   </message>
   <message>
    <source>use a mean addendum factor of {0} (a profile shift of the pinion of {1})</source>
@@ -8076,7 +8076,7 @@ Drag an end of the bar to change the range, double-click to type it. Grey: no va
   </message>
   <message>
    <source>use a smaller clearance, or other depths that leave the teeth more space at the root</source>
-   <translation>请减小顶隙，或采用其他齿高，使齿根处有更多空间</translation>
+   <translation>请使用较小的顶隙，或使齿根留有更多空间的其他齿高</translation>
   </message>
   <message>
    <source>use a smaller fillet factor or a larger clearance</source>
@@ -8209,6 +8209,10 @@ Drag an end of the bar to change the range, double-click to type it. Grey: no va
   <message>
    <source>{0} leaves a member no addendum at the mean point; use a smaller profile shift or a larger addendum factor</source>
    <translation>{0} 使某轮中点无齿顶高；请用较小变位或较大齿顶高系数</translation>
+  </message>
+  <message>
+   <source>{0} leaves the {1} no root: {2}; use {3}</source>
+   <translation>{0} 使{1}没有齿根：{2}；请用 {3}</translation>
   </message>
   <message>
    <source>{0} leaves the {1} no root: {2}; {3}</source>
