@@ -12,9 +12,9 @@ import re
 import warnings
 from collections.abc import Callable
 
-from simpleeval import InvalidExpression, SimpleEval
+from simpleeval import InvalidExpression, NumberTooHigh, SimpleEval
 
-from ui.formatting import MINUS
+from ui.formatting import MINUS, WIDE
 from ui.units import MM_PER_INCH, factor
 from ui.words import tr
 
@@ -82,7 +82,7 @@ def evaluate(text: str, unit: str) -> float:
 
 
 def _parse(text: str) -> ast.Expression:
-    plain = text.strip().replace(MINUS, "-").replace("×", "*").replace("·", "*").replace("÷", "/")
+    plain = text.translate(WIDE).strip().replace(MINUS, "-").replace("×", "*").replace("·", "*").replace("÷", "/")
     plain = (
         plain.replace("^", "**")
         .replace("°", "deg")
@@ -183,6 +183,8 @@ def _compute(body: ast.expr, names: dict[str, float]) -> float:
         value = sums.eval("", previously_parsed=body)
     except ZeroDivisionError:
         raise ExpressionError(tr("The sum divides by zero")) from None
+    except (OverflowError, NumberTooHigh):
+        raise ExpressionError(tr("The sum has no finite value")) from None
     except (InvalidExpression, ArithmeticError, ValueError, TypeError, RecursionError):
         raise ExpressionError(tr("The sum has no value: look at the arguments of its functions")) from None
     if callable(value):

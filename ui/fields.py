@@ -51,7 +51,7 @@ class NumberField(_Line):
     @property
     def problem(self) -> str:
         """Why a sum has no value; empty when it has, or when no sum was typed."""
-        return "" if self.text() == self._shown[0] else read_number(self.text(), self._spec)[1]
+        return read_number(self.text(), self._spec)[1] if isinstance(self.value(), str) else ""
 
     @property
     def result_text(self) -> str:
@@ -191,7 +191,7 @@ def read_number(text: str, spec: FieldSpec) -> tuple[int | float | str | None, s
         return None, ""
     plain = parse_number(text)
     if not isinstance(plain, str):
-        return (plain if factor(spec.unit) == 1 else from_shown(plain, spec.unit)), ""
+        return _whole(plain if factor(spec.unit) == 1 else from_shown(plain, spec.unit), spec), ""
     if NUMBER.fullmatch(text.strip()) or not any(letter.isdigit() for letter in text):
         return text, ""
     from ui.expressions import ExpressionError, evaluate
@@ -200,7 +200,12 @@ def read_number(text: str, spec: FieldSpec) -> tuple[int | float | str | None, s
         value = evaluate(text, spec.unit)
     except ExpressionError as error:
         return text, str(error)
-    return (int(value) if spec.kind == "int" and value.is_integer() else value), ""
+    return _whole(value, spec), ""
+
+
+def _whole(value: float, spec: FieldSpec) -> int | float:
+    whole = spec.kind == "int" and abs(value) < 1e15 and float(value).is_integer()
+    return int(value) if whole else value
 
 
 def set_severity(widget: QWidget, severity: str) -> None:

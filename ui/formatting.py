@@ -13,6 +13,8 @@ from gearstudio.design.choices import choice_title as choice_title
 from ui.words import tr
 
 MINUS = "\N{MINUS SIGN}"
+WIDE = dict(zip(range(0xFF01, 0xFF5F), range(0x21, 0x7F), strict=True))
+"""Digits and signs as Chinese input may write them, to those of ASCII."""
 NUMBER = re.compile(r"[+-]?(\d+([.,]\d*)?|[.,]\d+)([eE][+-]?\d+)?", re.ASCII)
 
 METHOD_TITLES = {info.id: info.title for info in METHOD_INFOS}
@@ -101,9 +103,9 @@ def number_text(value: float | int) -> str:
 def parse_number(text: str) -> int | float | str:
     """What was typed as a number, or the text itself when it is none.
 
-    Decimal point and comma both count; a whole number comes back as int. Nothing is clamped or rounded.
+    Decimal point and comma both count, also wide ones; a whole number comes back as int. Nothing is clamped or rounded.
     """
-    plain = text.strip().replace(MINUS, "-")
+    plain = text.translate(WIDE).strip().replace(MINUS, "-")
     if not NUMBER.fullmatch(plain) or len(plain) > 40:
         return text
     value = float(plain.replace(",", "."))

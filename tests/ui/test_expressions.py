@@ -93,6 +93,23 @@ def test_decimals_follow_the_choice_and_inches_have_two_more() -> None:
     assert units.value_text(12.57, "mm", 4) == "12.6" and units.value_text(0.1234, "", 4) == "0.1234"
 
 
+def test_too_large_is_told_from_what_has_no_value() -> None:
+    for text, reason in (("9**9**9", "finite"), ("exp(1000)", "finite"), ("sqrt(-1)", "arguments"), ("1/0", "zero")):
+        with pytest.raises(ExpressionError, match=reason):
+            evaluate(text, "mm")
+
+
+def test_wide_digits_of_chinese_input_count() -> None:
+    assert read_number("３．２５", MODULE) == (3.25, "") and read_number("３，２５", MODULE) == (3.25, "")
+    assert read_number("（１＋２）＊２", MODULE) == (6.0, "")
+
+
+def test_a_whole_number_is_one_however_it_is_written() -> None:
+    for text in ("17", "17.0", "17,", "1.7e1", "34/2"):
+        assert read_number(text, TEETH) == (17, "") and isinstance(read_number(text, TEETH)[0], int), text
+    assert read_number("1e300", TEETH) == (1e300, "") and read_number("17.5", TEETH) == (17.5, "")
+
+
 def test_a_field_reads_numbers_sums_and_nonsense() -> None:
     assert read_number("20+21", TEETH) == (41, "")
     assert isinstance(read_number("20+21", TEETH)[0], int)

@@ -72,6 +72,15 @@ def test_nonsense_in_the_name_is_told_too(bench: Bench) -> None:
     assert [issue.field for issue in bench.session.issues] == ["name"]
 
 
+def test_a_sum_without_a_value_says_why(bench: Bench, qtbot) -> None:
+    row = bench.window.form.rows["pair.outer_module"]
+    for text, reason in (("1/0", "divides by zero"), ("9**9**9", "no finite value"), ("4*/2", "neither a number")):
+        bench.type_into("pair.outer_module", text)
+        qtbot.waitUntil(lambda told=reason: told in row.message)
+    bench.type_into("pair.outer_module", "4")
+    qtbot.waitUntil(lambda: not row.message)
+
+
 def test_messages_wait_for_a_pause_and_go_at_once(bench: Bench, qtbot) -> None:
     row = bench.window.form.rows[TEETH]
     bench.type_into(TEETH, "3")
