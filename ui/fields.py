@@ -110,8 +110,9 @@ class NumberField(_Line):
         self.value_edited.emit(value)
 
     def _work_out(self) -> None:
-        """Replace a sum by its value once it is typed to the end."""
-        if self.result_text:
+        """Replace a sum by its value once it is typed to the end, and what a paste brought along with a number."""
+        pasted = self.text() != self.text().strip() and not isinstance(self.value(), str)
+        if self.result_text or pasted:
             self._put(self.value())
 
 

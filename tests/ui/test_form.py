@@ -81,6 +81,14 @@ def test_a_sum_without_a_value_says_why(bench: Bench, qtbot) -> None:
     qtbot.waitUntil(lambda: not row.message)
 
 
+def test_a_cell_pasted_from_a_spreadsheet_loses_its_end_of_line(bench: Bench) -> None:
+    field = bench.window.form.rows["pair.outer_module"].field
+    bench.type_into("pair.outer_module", "5,5\r\n")
+    assert bench.session.draft["pair.outer_module"] == 5.5
+    field.editingFinished.emit()
+    assert field.text() == "5.5" and bench.session.draft["pair.outer_module"] == 5.5
+
+
 def test_messages_wait_for_a_pause_and_go_at_once(bench: Bench, qtbot) -> None:
     row = bench.window.form.rows[TEETH]
     bench.type_into(TEETH, "3")
