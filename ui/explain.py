@@ -7,10 +7,10 @@ from html import escape
 from typing import Any
 
 from gearstudio.design import FieldSpec, all_field_specs
-from ui.formatting import choice_title, subscripts
+from ui.formatting import choice_title, parse_number, subscripts
 from ui.help.pages_of import term_of
-from ui.units import shown_text, spaced
-from ui.words import retold, tr
+from ui.units import factor, shown_text, spaced
+from ui.words import retold, told, tr
 
 
 @retold
@@ -83,6 +83,18 @@ def limits_text(spec: FieldSpec) -> str:
     if low is not None:
         return tr("at least {low}", low=shown_text(low, spec.unit)) + unit
     return tr("at most {high}", high=shown_text(high, spec.unit)) + unit if high is not None else ""
+
+
+def problem_text(message: str, spec: FieldSpec) -> str:
+    """What is wrong with a value, in the unit shown; the core quotes value and range of a length without their unit."""
+    text = str(told(message))
+    if factor(spec.unit) == 1:
+        return text
+    first, *others = message.split(" ")
+    value = parse_number(first)
+    if not isinstance(value, str) and others[:1] != [spec.unit] and text.startswith(f"{first} "):
+        text = shown_text(value, spec.unit) + spaced(spec.unit) + text.removeprefix(first)
+    return text.replace(told(spec.range_text), limits_text(spec))
 
 
 def _facts(spec: FieldSpec) -> list[str]:

@@ -12,11 +12,11 @@ from PySide6.QtWidgets import QGridLayout, QLabel, QLineEdit, QMenu, QSizePolicy
 
 from gearstudio.design import FieldSpec
 from gearstudio.errors import Issue
-from ui.explain import field_value_text, has_equation, tooltip
+from ui.explain import field_value_text, has_equation, problem_text, tooltip
 from ui.fields import ChoiceField, NumberField, TextField, make_field, set_severity
 from ui.theme import set_icon
 from ui.units import unit_shown
-from ui.words import told, tr
+from ui.words import tr
 
 GUTTER, LABEL_WIDTH, UNIT_WIDTH = 18, 124, 24
 UNITS = ("mm", "°", "µm")
@@ -99,7 +99,7 @@ class FieldRow(QWidget):
         self._issues = issues
         problem = self.field.problem if isinstance(self.field, NumberField) else ""
         result = self.field.result_text if isinstance(self.field, NumberField) else ""
-        lines = [problem] if problem else [told(issue.message) for issue in issues] or [result]
+        lines = [problem] if problem else [problem_text(issue.message, self.spec) for issue in issues] or [result]
         self._message.setText("\n".join(filter(None, lines)))
         error = any(issue.severity == "error" for issue in issues)
         set_severity(self._message, ("error" if error else "warning") if issues else "")

@@ -9,12 +9,14 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from gearstudio.design import Design
+from gearstudio.design import Design, all_field_specs
+from gearstudio.validation.messages import field_issue
 from tests.ui.made_up_solid import solid_of
 from tests.ui.reading import texts_of
 from tests.ui.stand_ins import Bench
 from ui import units
 from ui.analysis.contact_controls import ContactControls
+from ui.explain import problem_text
 from ui.habits import Habits
 from ui.materials import MATERIALS, density_unit, properties
 from ui.properties_table import PropertiesTable
@@ -109,6 +111,16 @@ def test_sentences_of_the_core_are_converted(value) -> None:
     assert "0.11811 in" in said or "0.118 in" in said
     assert "2 µm and 4 mmm stay, as does a 5 mm.step" in said
     assert in_sentence("use 3 mm") == "use 3 mm"
+
+
+def test_limits_at_a_field_are_in_inches(inches: None) -> None:
+    module = all_field_specs()["pair.outer_module"]
+    said = [problem_text(field_issue(module, value).message, module) for value in (254.0, 0, "x")]
+    assert said[0] == "10 in is above the most of 3.937 in; use 0.0039370079 to 3.9370079 in"
+    assert said[1] == "0 in is below the least of 0.00394 in; use 0.0039370079 to 3.9370079 in"
+    assert said[2] == '"x" is not a number; use 0.0039370079 to 3.9370079 in'
+    teeth = all_field_specs()["pair.pinion_teeth"]
+    assert problem_text(field_issue(teeth, 3).message, teeth) == "3 is below the least of 5 teeth; use 5 to 200"
 
 
 def test_small_lengths_and_curvatures(inches: None) -> None:
