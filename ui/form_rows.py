@@ -132,6 +132,7 @@ class FieldRow(QWidget):
         self._unit.setText(unit_shown(self.spec.unit) if self.spec.unit in UNITS else "")
         if isinstance(self.field, NumberField):
             self.field.show_units()
+        self.say(self._issues)
         self.reset.setToolTip(tr("Reset to {value}", value=field_value_text(self.spec, self.spec.default)))
         self._refresh_tooltip()
 

@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QApplication
 
 from gearstudio.design import field_specs
 from tests.ui.stand_ins import Bench
+from ui import units
 from ui.explain import limits_text, tooltip
 from ui.fields import ChoiceField, NumberField
 
@@ -79,6 +80,18 @@ def test_a_sum_without_a_value_says_why(bench: Bench, qtbot) -> None:
         qtbot.waitUntil(lambda told=reason: told in row.message)
     bench.type_into("pair.outer_module", "4")
     qtbot.waitUntil(lambda: not row.message)
+
+
+def test_a_problem_follows_the_unit(bench: Bench, qtbot) -> None:
+    row = bench.window.form.rows["pair.outer_module"]
+    bench.type_into("pair.outer_module", "254")
+    qtbot.waitUntil(lambda: row.message.startswith("254 is above the most of 100 mm"))
+    try:
+        units.use(units.Display("in"))
+        row.show_units()
+        assert row.message.startswith("10 in is above the most of 3.937 in")
+    finally:
+        units.use(units.Display())
 
 
 def test_a_cell_pasted_from_a_spreadsheet_loses_its_end_of_line(bench: Bench) -> None:
