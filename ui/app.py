@@ -21,6 +21,7 @@ from ui.diagnostics import CrashCatcher, log_path, log_tail, note_fact, start_lo
 from ui.files import Files
 from ui.graphics import MODES, advice, graphics_mode, prepare, probe
 from ui.habits import Habits
+from ui.judging import Judging
 from ui.language import Language, chosen_language, meant
 from ui.loading import Loader
 from ui.main_window import MainWindow
@@ -87,7 +88,8 @@ class Studio(QObject):
         self._theme, self._design, self._graphics = theme, design, graphics
         self._settings, self._data = settings, data
         self.language = language or Language(QApplication.instance())
-        self.session = Session(self)
+        self._judging = Judging(self)
+        self.session = Session(self, self._judging)
         self.loader = Loader(parent=self)
         self._dialogs: list[ReportDialog] = []
         self.loader.loaded.connect(self._on_loaded)
@@ -149,6 +151,7 @@ class Studio(QObject):
         """The window closes for good."""
         self._theme.changed.disconnect(self._on_theme_changed)
         self.loader.stop()
+        self._judging.close()
 
     def _on_finished(self) -> None:
         self.desk.offer_recovery()

@@ -172,6 +172,7 @@ class Files(QObject):
     def export(self) -> None:
         """Ask what goes where, and request it."""
         mode = self._window.commands.modes.checkedAction().data()
+        self._session.settle()
         dialog = ExportDialog(self._session, self._folder, self._window, self._window.settings, mode)
         if dialog.exec():
             job = dialog.job()
@@ -190,6 +191,7 @@ class Files(QObject):
     def _write(self, path: Path) -> bool:
         from gearstudio.project import save_design
 
+        self._session.settle()
         wrong = [issue for issue in self._session.issues if issue.severity == "error"]
         if path == self._session.path and not path.parent.is_dir():
             return self._ask_for_another_folder(path)

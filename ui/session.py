@@ -11,17 +11,16 @@ from PySide6.QtCore import QObject, Signal
 
 from gearstudio.catalogue import METHOD_IDS, VARIANTS
 from gearstudio.design import Design, design_mapping
-from gearstudio.errors import GeometryError, Issue
+from gearstudio.errors import Issue
+from ui.judging import judge
 from ui.words import tr
 
 if TYPE_CHECKING:
     from gearstudio.results import VariantResult
     from gearstudio.theory.cones import PairGeometry
+    from ui.judging import Case, Judging, Verdict
 
 ALL = "all"
-
-_PATIENCE_S = 0.3
-"""Longest search for remedies after an edit [s]."""
 
 
 class Key(NamedTuple):
@@ -45,7 +44,8 @@ class Session(QObject):
     """The state that the window shows; it knows no widget.
 
     ``draft`` maps dotted field names to values as typed, good or not. ``design`` and ``pair`` are the last
-    good ones and change together. A result whose key is not in ``current`` belongs to an earlier design.
+    good ones and change together; with ``judging`` they may follow an edit a little later. A result whose key is
+    not in ``current`` belongs to an earlier design.
 
     Signals
     -------
@@ -70,8 +70,12 @@ class Session(QObject):
     results_changed = Signal(object)
     document_changed = Signal()
 
-    def __init__(self, parent: QObject | None = None) -> None:
+    def __init__(self, parent: QObject | None = None, judging: Judging | None = None) -> None:
         super().__init__(parent)
+        self._judging = judging
+        self._case: Case | None = None
+        if judging is not None:
+            judging.judged.connect(self._on_judged)
         self.design = Design()
         self.pair: PairGeometry | None = None
         self.draft: dict[str, Any] = flatten(self.design)
@@ -121,7 +125,7 @@ class Session(QObject):
         self._saved = dict(self.draft) if saved else {}
         self.results.clear()
         self.draft_replaced.emit()
-        self._judge(force=True)
+        self._take(judge(nest(self.draft)), force=True)
         self.document_changed.emit()
 
     def restore(self, draft: Mapping[str, Any]) -> None:
@@ -130,6 +134,11 @@ class Session(QObject):
         self.draft_replaced.emit()
         self._judge()
         self.document_changed.emit()
+
+    def settle(self) -> None:
+        """Wait until what was typed is judged, as before a design is written."""
+        if self._case is not None:
+            self._take(judge(nest(self.draft)))
 
     def announce(self) -> None:
         """Tell everything once more, for a window that has just been made."""
@@ -200,21 +209,26 @@ class Session(QObject):
             self.building = None
         self.results_changed.emit(key)
 
-    def _judge(self, *, force: bool = False) -> None:
-        from gearstudio.theory.cones import pair_geometry
-        from gearstudio.validation import read_design
+    def _judge(self) -> None:
+        if self._judging is None:
+            self._take(judge(nest(self.draft)))
+            return
+        self._case = self._judging.take(nest(self.draft))
+        if self._case.verdict is not None:
+            self._take(self._case.verdict)
 
-        design, issues = read_design(nest(self.draft), _PATIENCE_S)
-        pair: PairGeometry | None = None
-        if design is not None and (force or self.pair is None or design != self.design):
-            try:
-                pair = pair_geometry(design)
-            except GeometryError as error:
-                issues = (*issues, Issue("geometry", "", str(error)))
-        if issues != self.issues:
-            self.issues = issues
-            self.issues_changed.emit(issues)
-        if design is not None and pair is not None:
+    def _on_judged(self, case: Case) -> None:
+        """The newest case counts; one that broke down does so again here, where it is told."""
+        if case is self._case:
+            self._take(case.verdict or judge(nest(self.draft)))
+
+    def _take(self, verdict: Verdict, *, force: bool = False) -> None:
+        self._case = None
+        design, pair = verdict.design, verdict.pair
+        if verdict.issues != self.issues:
+            self.issues = verdict.issues
+            self.issues_changed.emit(self.issues)
+        if design is not None and pair is not None and (force or self.pair is None or design != self.design):
             self.design, self.pair = design, pair
             self.current.clear()
             self.failures.clear()

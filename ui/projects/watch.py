@@ -95,6 +95,7 @@ class FileWatch(QObject):
             self._window.messages.show_message("error", words, topic="file")
             return
         self._edits.change_many(version.draft, tr("Take the changed file"))
+        self._session.settle()
         if not self._session.read_only:
             self._session.mark_saved(path, self._session.design)
 

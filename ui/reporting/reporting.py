@@ -69,6 +69,7 @@ class Reporting(QObject):
 
     def make(self, sections: tuple[str, ...], member: Any, language: str) -> None:
         """Have the report of the design as it is now made."""
+        self._session.settle()
         if self._runner is None or self.dialog is None:
             return
         self._wanted, self._language = (sections, member), language
