@@ -130,12 +130,10 @@ def views(painter: Painter) -> None:
 
 
 def analysis(painter: Painter, folder: Path) -> None:
-    """Contact, ease-off and measured points."""
+    """Ease-off and measured points."""
     window = painter.window
     painter.session.select(member="wheel", method="rotating_line")
     window.analysis.show_tab("contact")
-    painter.settle(4.0)
-    painter.save("contact")
     painter.controller.edits.change_many(CROWNING, "Crowning")
     window.form.go_to(f"{FLANK}.root_relief_end")
     window.analysis.page.shown.button("ease_off").click()

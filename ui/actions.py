@@ -93,7 +93,7 @@ COMMANDS = (
     Command("reset_layout", "&Reset layout", "Put every panel back in its place"),
     Command("reset_settings", "&Reset settings…", "Forget layout, lists and preferences; designs stay"),
     Command("guide", "&Guide", "How to use the studio", Keys.HelpContents),
-    Command("tour", "&Tour", "Where things are in the window, in six steps"),
+    Command("tour", "&Tour", "Where things are in the window, step by step"),
     Command("glossary", "G&lossary", "The words of the field, as they are used here"),
     Command("equations", "&Equations", "Every formula, what the paper prints, and this design's numbers", "Shift+F2"),
     Command("about", "&About GearStudio", "What this is, and the versions of its parts"),

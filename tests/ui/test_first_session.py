@@ -26,7 +26,9 @@ from gearstudio.kernel.exchange import read_shape, solids_of
 from tests.ui.test_studio import pytestmark  # noqa: F401 - a real screen is needed here too
 from ui.app import Studio
 from ui.export_dialog import ExportDialog
+from ui.formatting import METHOD_TITLES
 from ui.reporting.dialog import ReportDialog
+from ui.views.pick_card import PickCard
 from ui.views.picture_dialog import PictureDialog
 
 LEFT, CTRL, SHIFT = Qt.MouseButton.LeftButton, Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.ShiftModifier
@@ -213,7 +215,12 @@ def look_around(person: Person) -> None:
     person.click(grid.viewport, place)
     card = person.studio.controller.display.picks.card
     person.wait(card.isVisible, "the card of the point")
-    person.wait(lambda: len({key.method for key in card.keys}) == 3, "the values of all methods")
+    person.wait(lambda: methods_of(card) >= set(METHOD_TITLES.values()), "the values of all methods")
+
+
+def methods_of(card: PickCard) -> set[str]:
+    """Those for which the card has a deviation."""
+    return {name.split(",")[0] for name, deviation, *_ in card.rows()[1:] if deviation != "–"}
 
 
 def export_the_pair(person: Person, folder: Path) -> None:

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from PySide6.QtCore import QObject, QRect, QSettings, Qt, QTranslator, QUrl
 from PySide6.QtGui import QImage, QTextCharFormat, QTextDocument
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QDialog
 from pytestqt.qtbot import QtBot
 
 from gearstudio.equations import EQUATIONS, equation, numbers_of
@@ -202,6 +202,17 @@ def test_the_tour_leads_through_the_window_and_is_offered_once(qtbot: QtBot, win
     assert tour.running and tour.card is not None
     qtbot.mouseClick(tour.card.skip, Qt.MouseButton.LeftButton)
     assert not tour.running
+
+
+def test_the_tour_waits_for_a_question_that_is_open(qtbot: QtBot, window: MainWindow) -> None:
+    tour, question = Tour(window), QDialog(window)
+    question.open()
+    tour.offer()
+    assert not tour.running
+    question.reject()
+    tour.offer()
+    assert tour.running
+    tour.end()
 
 
 def test_the_tour_is_not_offered_where_nothing_is_remembered(qtbot: QtBot, session: Session, theme: Theme) -> None:

@@ -11,7 +11,6 @@ from functools import partial
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import QTranslator
 from PySide6.QtWidgets import QApplication, QCheckBox, QHBoxLayout, QLabel, QPushButton, QWidget
 
 from docs.scenes import dialogs, pages, panels
@@ -22,7 +21,7 @@ from tests.ui.made_up import member_of, result_of
 from tests.ui.stand_ins import FakeRunner
 from tests.ui.test_studio import pytestmark  # noqa: F401 - a real screen is needed here too
 from ui import app
-from ui.language import install
+from ui.language import Language
 from ui.loading import STAGES, Loader
 
 SCENES = (panels.views, panels.form, dialogs.exports, dialogs.preferences)
@@ -38,12 +37,9 @@ SYSTEM = "QFileDialog"
 
 @pytest.fixture(params=["de", "en", "zh"])
 def speaking(request: pytest.FixtureRequest, qapp: QApplication) -> Iterator[str]:
-    before = set(qapp.findChildren(QTranslator))
-    install(qapp, request.param)
+    language = Language(qapp, request.param)
     yield request.param
-    for translator in set(qapp.findChildren(QTranslator)) - before:
-        qapp.removeTranslator(translator)
-        translator.deleteLater()
+    language.speak("en")
 
 
 def with_results(stage: Stage) -> None:

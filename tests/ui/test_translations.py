@@ -17,7 +17,7 @@ from gearstudio.words import compiled
 from tests.ui.reading import texts_of
 from tests.ui.stand_ins import Bench
 from tools import translations
-from ui.language import install, language_of_system
+from ui.language import Language, language_of_system
 from ui.sentences import templates, translated
 from ui.words import inline, told, tr
 
@@ -38,11 +38,11 @@ class Marking(QTranslator):
 
 @pytest.fixture(params=["de", "zh"])
 def speaking(request: pytest.FixtureRequest, qapp: QApplication) -> Iterator[str]:
-    made = install(qapp, request.param)
-    assert len(made) == 2, "Qt's own texts and the window's"
+    before = set(qapp.findChildren(QTranslator))
+    language = Language(qapp, request.param)
+    assert len(set(qapp.findChildren(QTranslator)) - before) == 2, "Qt's own texts and the window's"
     yield request.param
-    for translator in made:
-        qapp.removeTranslator(translator)
+    language.speak("en")
 
 
 @pytest.fixture(scope="module")

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QEvent, QObject, QPoint, QRect, Qt, Signal
 from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen
-from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QApplication, QFrame, QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
 
 from ui.theme import tokens
 from ui.words import noted, tr
@@ -131,9 +131,9 @@ class Tour(QObject):
         return self.card is not None
 
     def offer(self) -> None:
-        """Start at the first start of the program, and only then."""
+        """Start at the first start of the program, and only then; a question that is open has the next one wait."""
         settings = self._window.settings
-        if settings is not None and not settings.value(SEEN):
+        if settings is not None and not settings.value(SEEN) and QApplication.activeModalWidget() is None:
             self.start()
 
     def start(self) -> None:

@@ -5690,8 +5690,8 @@
    <translation>Wo die Schnittebene steht</translation>
   </message>
   <message>
-   <source>Where things are in the window, in six steps</source>
-   <translation>Wo was im Fenster ist, in sechs Schritten</translation>
+   <source>Where things are in the window, step by step</source>
+   <translation>Wo was im Fenster ist, Schritt für Schritt</translation>
   </message>
   <message>
    <source>Which entries are shown</source>

@@ -5690,8 +5690,8 @@
    <translation>剖切平面的位置</translation>
   </message>
   <message>
-   <source>Where things are in the window, in six steps</source>
-   <translation>六步了解窗口布局</translation>
+   <source>Where things are in the window, step by step</source>
+   <translation>逐步介绍窗口中各部分的位置</translation>
   </message>
   <message>
    <source>Which entries are shown</source>
