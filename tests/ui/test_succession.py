@@ -154,9 +154,10 @@ def test_work_in_progress_goes_on_and_messages_follow(studio: Studio, qtbot) -> 
     studio.window.messages.show_message("info", "", topic="file")
     studio.desk.recover()
     assert studio.window.messages.text == "There is no unsaved work to recover."
+    runner, asked, begun = studio.controller.runner, [], []
+    studio.session.results_changed.connect(lambda _: begun.append(studio.session.building))
     edit(studio, TEETH, 23)
-    runner, asked = studio.controller.runner, []
-    qtbot.waitUntil(lambda: studio.session.building is not None, timeout=PATIENCE_MS)
+    qtbot.waitUntil(lambda: any(begun), timeout=PATIENCE_MS)
     submit = runner.submit
     runner.submit = lambda jobs, replace=True: (asked.append(jobs), submit(jobs, replace))
     choose(studio, qtbot, "de")
