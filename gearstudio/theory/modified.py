@@ -16,7 +16,7 @@ from gearstudio.theory.hypoid.modified import ModifiedConjugate
 from gearstudio.theory.involute import polar_angle as polar_angle_of
 from gearstudio.theory.involute import roll_arc, tangent_plane
 from gearstudio.theory.relief import Derivatives, FlankRelief
-from gearstudio.theory.vectors import quarter
+from gearstudio.theory.vectors import turned, turned_derivatives
 
 Floats = NDArray[np.float64]
 
@@ -49,7 +49,7 @@ class ModifiedFlank(InvoluteFlank):
     def at(self, psi: ArrayLike, rho: ArrayLike) -> Floats:
         """Points at natural coordinates, shape (..., 3)."""
         psi, rho = np.broadcast_arrays(np.asarray(psi, dtype=np.float64), np.asarray(rho, dtype=np.float64))
-        return _turned(super().at(psi, rho), self.shift(rho, polar_angle_of(psi, self.member.base_angle)))
+        return turned(super().at(psi, rho), self.shift(rho, polar_angle_of(psi, self.member.base_angle)))
 
     def azimuth(self, rho: ArrayLike, polar_angle: ArrayLike) -> Floats:
         """phi'(rho, delta_k) [rad]."""
@@ -62,18 +62,8 @@ class ModifiedFlank(InvoluteFlank):
     def derivatives_at(self, psi: ArrayLike, rho: ArrayLike) -> tuple[Floats, Floats, Floats, Floats, Floats]:
         """First and second derivatives by psi and rho: those of R_z(s) X, shape (..., 3) each."""
         psi, rho = np.broadcast_arrays(np.asarray(psi, dtype=np.float64), np.asarray(rho, dtype=np.float64))
-        x, (a, b, aa, ab, bb) = super().at(psi, rho), super().derivatives_at(psi, rho)
-        s, s_a, s_b, s_aa, s_ab, s_bb = (part[..., None] for part in self._shift_by_natural(psi, rho))
-        x_j, x_jj, a_j, b_j = quarter(x), quarter(quarter(x)), quarter(a), quarter(b)
-        parts = (
-            a + s_a * x_j,
-            b + s_b * x_j,
-            aa + 2 * s_a * a_j + s_aa * x_j + s_a**2 * x_jj,
-            ab + s_a * b_j + s_b * a_j + s_ab * x_j + s_a * s_b * x_jj,
-            bb + 2 * s_b * b_j + s_bb * x_j + s_b**2 * x_jj,
-        )
-        first, second, *others = (_turned(part, s[..., 0]) for part in parts)
-        return first, second, others[0], others[1], others[2]
+        point, by = super().at(psi, rho), super().derivatives_at(psi, rho)
+        return turned_derivatives(point, by, self._shift_by_natural(psi, rho))
 
     def normals_at(self, psi: ArrayLike, rho: ArrayLike) -> Floats:
         """Unit normals out of the metal at natural coordinates; regular on the base cone too, shape (..., 3)."""
@@ -110,7 +100,7 @@ class ModifiedFlank(InvoluteFlank):
         psi = roll_arc(np.clip(delta, base, np.pi - base), base)
         along, across, _ = tangent_plane(np.minimum(delta, base), self.contact_azimuth(psi, rho))
         unit = np.cos(psi)[..., None] * along + self.side * np.sin(psi)[..., None] * across
-        points = _turned(rho[..., None] * unit, self.shift(rho, delta))
+        points = turned(rho[..., None] * unit, self.shift(rho, delta))
         return points, self._normals(points, rho, delta, self._profile_slope(delta))
 
     def _normals(self, points: Floats, rho: Floats, delta: Floats, profile: Floats) -> Floats:
@@ -239,10 +229,3 @@ def _lever_inverse(member: MemberGeometry, rho: ArrayLike) -> tuple[Floats, Floa
     g = np.sqrt(1 / (rho**2 * square) + theta_1**2)
     first = (theta_1 * theta_2 - 1 / (rho**3 * square)) / g
     return g, first, (3 / (rho**4 * square) + theta_2**2 + theta_1 * theta_3 - first**2) / g
-
-
-def _turned(vectors: Floats, angle: Floats) -> Floats:
-    """Vectors turned about the axis, (..., 3) by angles (...)."""
-    c, s = np.cos(angle), np.sin(angle)
-    x, y, z = np.moveaxis(vectors, -1, 0)
-    return np.stack([c * x - s * y, s * x + c * y, z], axis=-1)

@@ -39,6 +39,35 @@ def quarter(vectors: Floats) -> Floats:
     return of(-vectors[..., 1], vectors[..., 0], np.float64(0.0))
 
 
+def turned_derivatives(
+    point: Floats, by: tuple[Floats, ...], shift: tuple[Floats, ...]
+) -> tuple[Floats, Floats, Floats, Floats, Floats]:
+    """First and second derivatives of R_z(s) X by two parameters (a, b, aa, ab, bb), shape (..., 3) each.
+
+    Parameters
+    ----------
+    point : array, shape (..., 3)
+        X.
+    by : five arrays, shape (..., 3)
+        Derivatives of X.
+    shift : six arrays, shape (...)
+        s and its derivatives.
+    """
+    s, s_a, s_b, s_aa, s_ab, s_bb = (part[..., None] for part in shift)
+    a, b, aa, ab, bb = by
+    x_j, a_j, b_j = quarter(point), quarter(a), quarter(b)
+    x_jj = quarter(x_j)
+    parts = (
+        a + s_a * x_j,
+        b + s_b * x_j,
+        aa + 2 * s_a * a_j + s_aa * x_j + s_a**2 * x_jj,
+        ab + s_a * b_j + s_b * a_j + s_ab * x_j + s_a * s_b * x_jj,
+        bb + 2 * s_b * b_j + s_bb * x_j + s_b**2 * x_jj,
+    )
+    first, second, *others = (turned(part, s[..., 0]) for part in parts)
+    return first, second, others[0], others[1], others[2]
+
+
 def spherical(points: ArrayLike) -> tuple[Floats, Floats, Floats]:
     """Spherical coordinates rho [mm], delta_k [rad], phi [rad] of points, shape (...) each (theory 1)."""
     x, y, z = np.moveaxis(np.asarray(points, dtype=np.float64), -1, 0)

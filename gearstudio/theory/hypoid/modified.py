@@ -11,7 +11,7 @@ from gearstudio.theory.hypoid.conjugate import ConjugateFlank
 from gearstudio.theory.hypoid.envelope import PinionPoint
 from gearstudio.theory.hypoid.second import derivatives, principal_curvatures
 from gearstudio.theory.relief import FlankRelief
-from gearstudio.theory.vectors import cross, dot, quarter, turned, unit
+from gearstudio.theory.vectors import cross, dot, quarter, turned, turned_derivatives, unit
 
 Floats = NDArray[np.float64]
 
@@ -63,7 +63,7 @@ class ModifiedConjugate(ConjugateFlank):
             *_differences([_turning_slopes(self.envelope.at(psi + k * _STEP, rho)) for k in _PLACES], _STEP),
             _differences([_turning_slopes(self.envelope.at(psi, rho + k * length)) for k in _PLACES], length)[1],
         )
-        return _turned_derivatives(made.point, by, self._shift(made, by, twice))
+        return turned_derivatives(made.point, by, self._shift(made, by, twice))
 
     def curvatures_at(self, psi: ArrayLike, rho: ArrayLike, /) -> tuple[Floats, Floats]:
         """Principal curvatures, the larger first, positive where convex [1/mm], (...) each."""
@@ -138,25 +138,6 @@ def _polar(point: Floats, by: tuple[Floats, ...]) -> tuple[Floats, Floats, list[
         lean = (b[..., 2] * flat[i] + z * out - flat[j] * a[..., 2] - radius * d[..., 2]) / rho**2
         places.append((far, lean - 2 * places[j][0] * places[i][1] / rho))
     return rho, delta, places
-
-
-def _turned_derivatives(
-    point: Floats, by: tuple[Floats, ...], shift: tuple[Floats, ...]
-) -> tuple[Floats, Floats, Floats, Floats, Floats]:
-    """Derivatives of R_z(s) X from those of X and s."""
-    s, s_a, s_b, s_aa, s_ab, s_bb = (part[..., None] for part in shift)
-    a, b, aa, ab, bb = by
-    x_j, a_j, b_j = quarter(point), quarter(a), quarter(b)
-    x_jj = quarter(x_j)
-    parts = (
-        a + s_a * x_j,
-        b + s_b * x_j,
-        aa + 2 * s_a * a_j + s_aa * x_j + s_a**2 * x_jj,
-        ab + s_a * b_j + s_b * a_j + s_ab * x_j + s_a * s_b * x_jj,
-        bb + 2 * s_b * b_j + s_bb * x_j + s_b**2 * x_jj,
-    )
-    first, second, *others = (turned(part, s[..., 0]) for part in parts)
-    return first, second, others[0], others[1], others[2]
 
 
 def _differences(values: list[tuple[Floats, Floats]], step: float) -> tuple[Floats, Floats]:
