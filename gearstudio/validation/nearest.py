@@ -8,6 +8,7 @@ from math import ceil, floor, log10
 
 from gearstudio.design import Design, all_field_specs, field_value, with_field
 from gearstudio.errors import GeometryError
+from gearstudio.theory.hypoid.depth import addendum_factor_of_shift
 from gearstudio.validation.patience import is_late
 from gearstudio.validation.rule import acting, explicit
 
@@ -54,7 +55,7 @@ def _acting(design: Design, path: str, toward: float) -> tuple[str, float]:
     if found == path:
         return path, toward
     depth = design.depth.depth_factor
-    shares = {"tooth.profile_shift": 0.5 - toward / depth, "tooth.clearance_factor": toward / 2}
+    shares = {"tooth.profile_shift": addendum_factor_of_shift(toward, depth), "tooth.clearance_factor": toward / 2}
     spec = all_field_specs()[found]
     return found, min(max(shares.get(path, 2 * toward), spec.minimum or 0.0), spec.maximum or 1.0)
 

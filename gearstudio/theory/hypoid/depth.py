@@ -44,7 +44,7 @@ def suggested_addendum_factor(cones: PitchCones, ratio: float) -> float:
     return 0.21 + 0.29 / max(equivalent, 1.0)
 
 
-def addendum_factor_of_shift(profile_shift: float, depth_factor: float = 2.0) -> float:
+def addendum_factor_of_shift(profile_shift: float, depth_factor: float) -> float:
     """c_ham that gives the pinion a profile shift: x_hm1 = k_d (1/2 - c_ham)."""
     return 0.5 - profile_shift / depth_factor
 
