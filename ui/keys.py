@@ -11,7 +11,6 @@ from ui.command_list import Entry, commands_of
 
 GROUP = "keys"
 PORTABLE = QKeySequence.SequenceFormat.PortableText
-EXACT = QKeySequence.SequenceMatch.ExactMatch
 NO_MATCH = QKeySequence.SequenceMatch.NoMatch
 
 

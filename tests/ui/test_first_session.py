@@ -23,7 +23,7 @@ from PySide6.QtWidgets import (
 from shiboken6 import isValid
 
 from gearstudio.kernel.exchange import read_shape, solids_of
-from tests.ui.test_studio import pytestmark  # noqa: F401 - a real screen is needed here too
+from tests.ui.screen import NEEDS_SCREEN
 from ui.app import Studio
 from ui.export_dialog import ExportDialog
 from ui.formatting import METHOD_TITLES
@@ -31,6 +31,7 @@ from ui.reporting.dialog import ReportDialog
 from ui.views.pick_card import PickCard
 from ui.views.picture_dialog import PictureDialog
 
+pytestmark = NEEDS_SCREEN
 LEFT, CTRL, SHIFT = Qt.MouseButton.LeftButton, Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.ShiftModifier
 EDITS = {"pair.wheel_teeth": "43", "lengthwise.spiral_angle_deg": "20+12,5", "pair.outer_module": "3.5"}
 

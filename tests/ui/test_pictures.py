@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import os
-import sys
 from itertools import pairwise
 from pathlib import Path
 
@@ -14,18 +12,11 @@ from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QApplication
 
 from tests.ui.made_up_solid import solid_of
+from tests.ui.screen import NEEDS_SCREEN
 from tests.ui.views_bench import bench_with_views, changed, flank_place, grid_of, pixels
 from ui.solids import meshed
 
-pytestmark = [
-    pytest.mark.ui,
-    pytest.mark.gl,
-    pytest.mark.skipif(
-        os.environ.get("QT_QPA_PLATFORM") == "offscreen"
-        or (sys.platform.startswith("linux") and not (os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))),
-        reason="needs a screen with OpenGL",
-    ),
-]
+pytestmark = NEEDS_SCREEN
 
 
 @pytest.fixture
@@ -155,10 +146,8 @@ class TestFilms:
         assert all(np.abs(a - b).mean() > 0.2 for a, b in pairwise(frames))
         assert [p.name for p in tmp_path.iterdir()] == [path.name]
 
-    @pytest.mark.parametrize("suffix", ["mp4", "gif"])
-    def test_the_pair_meshes_on_by_one_tooth_and_joins_its_beginning(self, bench, qtbot, tmp_path, suffix):
-        import imageio_ffmpeg
-
+    @staticmethod
+    def show_pair(bench, qtbot):
         mode = bench.controller.solid_mode
         mode.set_mode("pair")
         design = bench.session.design
@@ -166,6 +155,13 @@ class TestFilms:
             mode.solids.built[key] = meshed(design, solid_of(design, key.member))
         mode.redraw()
         qtbot.waitUntil(lambda: len(mode.view.gears) == 2, timeout=20000)
+        return mode
+
+    @pytest.mark.parametrize("suffix", ["mp4", "gif"])
+    def test_the_pair_meshes_on_by_one_tooth_and_joins_its_beginning(self, bench, qtbot, tmp_path, suffix):
+        import imageio_ffmpeg
+
+        self.show_pair(bench, qtbot)
         path = tmp_path / f"meshing.{suffix}"
         dialog = self.film(bench, path, "meshing")
         qtbot.waitUntil(lambda: not dialog.isVisible(), timeout=90000)
@@ -181,13 +177,7 @@ class TestFilms:
         from ui.views.motions import meshing
         from ui.views.pictures import PictureOptions, at_once, painted, stand_in
 
-        mode = bench.controller.solid_mode
-        mode.set_mode("pair")
-        design = bench.session.design
-        for key in mode.keys:
-            mode.solids.built[key] = meshed(design, solid_of(design, key.member))
-        mode.redraw()
-        qtbot.waitUntil(lambda: len(mode.view.gears) == 2, timeout=20000)
+        mode = self.show_pair(bench, qtbot)
         motion = meshing(bench.session.pair, mode.view)
         copy = stand_in(grid_of(bench), QSize(640, 480))
         looks = list(copy.viewport.looks)

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import os
-import sys
 import threading
 from collections.abc import Iterator
 from dataclasses import replace
@@ -13,19 +11,12 @@ import pytest
 from PySide6.QtCore import QPointF
 
 from tests.ui.made_up_solid import solid_of
+from tests.ui.screen import NEEDS_SCREEN
 from tests.ui.stand_ins import Bench
 from tests.ui.views_bench import bench_with_views
 from ui.solids import meshed
 
-pytestmark = [
-    pytest.mark.ui,
-    pytest.mark.gl,
-    pytest.mark.skipif(
-        os.environ.get("QT_QPA_PLATFORM") == "offscreen"
-        or (sys.platform.startswith("linux") and not (os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))),
-        reason="needs a screen with OpenGL",
-    ),
-]
+pytestmark = NEEDS_SCREEN
 PATIENCE_MS = 20_000
 
 

@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-import os
-import sys
-
 import numpy as np
 import pytest
 from PySide6.QtCore import QObject, QPointF
@@ -12,17 +9,10 @@ from PySide6.QtCore import QObject, QPointF
 from gearstudio.design import Design
 from gearstudio.theory.cones import pair_geometry
 from tests.ui.made_up_solid import solid_of
+from tests.ui.screen import NEEDS_SCREEN
 from ui.session import Key
 
-pytestmark = [
-    pytest.mark.ui,
-    pytest.mark.gl,
-    pytest.mark.skipif(
-        os.environ.get("QT_QPA_PLATFORM") == "offscreen"
-        or (sys.platform.startswith("linux") and not (os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))),
-        reason="needs a screen with OpenGL",
-    ),
-]
+pytestmark = NEEDS_SCREEN
 WORDS = ("Pair", "up to date")
 PAIR_KEYS = tuple(Key(member, "rotating_line", "optimised") for member in ("pinion", "wheel"))
 

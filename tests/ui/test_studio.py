@@ -16,6 +16,7 @@ from PySide6.QtCore import QPointF, Qt, QTimer
 from PySide6.QtGui import QImage, QMouseEvent
 from PySide6.QtWidgets import QApplication
 
+from tests.ui.screen import NEEDS_SCREEN
 from tests.ui.stand_ins import result
 from ui.app import Studio
 from ui.presenter import view_subtitle, view_title
@@ -23,15 +24,7 @@ from ui.screenshot import looks_blank, window_image
 from ui.session import Failure, Key
 
 ROOT = Path(__file__).resolve().parents[2]
-pytestmark = [
-    pytest.mark.ui,
-    pytest.mark.gl,
-    pytest.mark.skipif(
-        os.environ.get("QT_QPA_PLATFORM") == "offscreen"
-        or (sys.platform.startswith("linux") and not (os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))),
-        reason="needs a screen with OpenGL",
-    ),
-]
+pytestmark = NEEDS_SCREEN
 TEETH = "pair.pinion_teeth"
 PATIENCE_MS = 90_000
 

@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import gc
-import os
 import re
-import sys
 import weakref
 from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
@@ -16,20 +14,13 @@ from PySide6.QtGui import QAction, QKeySequence
 from PySide6.QtWidgets import QApplication, QDialog, QMenu, QWidget
 
 from tests.ui.reading import texts_of
+from tests.ui.screen import NEEDS_SCREEN
 from tools import translations
 from ui.app import Studio
 from ui.preferences_dialog import PreferencesDialog
 from ui.session import Key
 
-pytestmark = [
-    pytest.mark.ui,
-    pytest.mark.gl,
-    pytest.mark.skipif(
-        os.environ.get("QT_QPA_PLATFORM") == "offscreen"
-        or (sys.platform.startswith("linux") and not (os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))),
-        reason="needs a screen with OpenGL",
-    ),
-]
+pytestmark = NEEDS_SCREEN
 TEETH = "pair.pinion_teeth"
 PATIENCE_MS = 90_000
 CHINESE = re.compile(r"[\u4e00-\u9fff]")

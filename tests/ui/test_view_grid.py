@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-import os
-import sys
-
 import numpy as np
 import pytest
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
@@ -12,18 +9,11 @@ from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QWheelEvent
 from PySide6.QtWidgets import QApplication
 
 from tests.ui.made_up import member_of, result_of, scene_layers
+from tests.ui.screen import NEEDS_SCREEN
 from ui.layers import DEFAULT_VISIBLE, Panel
 from ui.scene import rolling_layers
 
-pytestmark = [
-    pytest.mark.ui,
-    pytest.mark.gl,
-    pytest.mark.skipif(
-        os.environ.get("QT_QPA_PLATFORM") == "offscreen"
-        or (sys.platform.startswith("linux") and not (os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))),
-        reason="needs a screen with OpenGL",
-    ),
-]
+pytestmark = NEEDS_SCREEN
 AMOUNTS = (30.0, -30.0, 0.0)
 
 
