@@ -3,18 +3,18 @@
 from __future__ import annotations
 
 import itertools
-import tempfile
 from collections.abc import Callable
 from dataclasses import dataclass
-from pathlib import Path
 from time import perf_counter
+from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QCoreApplication, QEventLoop, QSettings
-from PySide6.QtWidgets import QApplication
+from PySide6.QtCore import QCoreApplication, QEventLoop
 
+from benchmarks.opening import opened
 from benchmarks.window import pause, wait_until
-from ui.app import Studio, make_application
-from ui.theme import Theme
+
+if TYPE_CHECKING:
+    from ui.app import Studio
 
 TARGET = 1.5
 FRAMES, ROUNDS = 12, 7
@@ -32,19 +32,13 @@ class Frame:
 
 def measure(rounds: int = ROUNDS) -> list[Frame]:
     """Open the window, build the pair, and time frames in turn, so that a busy machine spoils all of them alike."""
-    application = QApplication.instance() or make_application(["gearstudio"])
-    with tempfile.TemporaryDirectory() as folder:
-        studio = Studio(Theme(application), QSettings(str(Path(folder) / "settings.ini"), QSettings.Format.IniFormat))
-        studio.window.may_close = lambda: True
-        studio.window.show()
+    with opened() as studio:
         wait_until(lambda: studio.window.area.grid is not None and not studio.session.missing_keys())
         mode = studio.controller.solid_mode
         mode.set_mode("pair")
         wait_until(lambda: all(mode.solids.is_current(key) for key in mode.keys))
         pause(800)
-        made = [_round(studio) for _ in range(rounds + 1)][1:]
-        studio.window.close()
-        return made
+        return [_round(studio) for _ in range(rounds + 1)][1:]
 
 
 def _round(studio: Studio) -> Frame:

@@ -7,16 +7,16 @@ from __future__ import annotations
 
 import gc
 import sys
-import tempfile
 from dataclasses import dataclass
-from pathlib import Path
+from typing import TYPE_CHECKING
 
 import psutil
-from PySide6.QtCore import QSettings
 
+from benchmarks.opening import opened
 from benchmarks.window import pause, wait_until
-from ui.app import Studio, make_application
-from ui.theme import Theme
+
+if TYPE_CHECKING:
+    from ui.app import Studio
 
 EDITS, REBUILDS, WARM_UP = 200, 50, 40
 TARGET = 1.05
@@ -49,19 +49,13 @@ class Course:
 
 def measure() -> tuple[Course, Course]:
     """The window's and the CAD process's memory, from one run of the real program."""
-    application = make_application(["gearstudio"])
-    with tempfile.TemporaryDirectory() as folder:
-        settings = QSettings(str(Path(folder) / "settings.ini"), QSettings.Format.IniFormat)
-        studio = Studio(Theme(application), settings, data=Path(folder))
-        studio.window.may_close = lambda: True
-        studio.window.show()
+    with opened() as studio:
         wait_until(lambda: studio.window.area.grid is not None and _settled(studio))
         readings: list[tuple[float, float]] = []
         for times, work in ((WARM_UP, _edit), (EDITS, _edit), (REBUILDS, _rebuild)):
             for number in range(times):
                 work(studio, number)
             readings.append(_megabytes(studio))
-        studio.window.close()
     window, worker = zip(*readings, strict=True)
     return Course("window", *window), Course("CAD process", *worker)
 

@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-import tempfile
 from collections.abc import Callable
 from dataclasses import dataclass
-from pathlib import Path
+from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QSettings, Qt, QTimer
-from PySide6.QtWidgets import QApplication
+from PySide6.QtCore import Qt, QTimer
 
+from benchmarks.opening import opened
 from benchmarks.window import TICK_MS, Watch, pause, wait_until, watch_drawing
-from ui.app import Studio, make_application
-from ui.theme import Theme
+
+if TYPE_CHECKING:
+    from ui.app import Studio
 
 ROUNDS = 3
 STEPS = 24
@@ -31,13 +31,9 @@ class Gaps:
 
 def measure(rounds: int = ROUNDS) -> list[Gaps]:
     """Open the window, then show, cut and leave solids so many times."""
-    application = QApplication.instance() or make_application(["gearstudio"])
-    with tempfile.TemporaryDirectory() as folder:
-        watch = Watch()
-        watch_drawing(watch)
-        studio = Studio(Theme(application), QSettings(str(Path(folder) / "settings.ini"), QSettings.Format.IniFormat))
-        studio.window.may_close = lambda: True
-        studio.window.show()
+    watch = Watch()
+    watch_drawing(watch)
+    with opened() as studio:
         wait_until(lambda: studio.window.area.grid is not None and not studio.session.missing_keys())
         pause(_REST_MS)
         ticker = QTimer(studio, interval=TICK_MS, timerType=Qt.TimerType.PreciseTimer)
@@ -45,7 +41,6 @@ def measure(rounds: int = ROUNDS) -> list[Gaps]:
         ticker.start()
         made = [gaps for index in range(rounds) for gaps in _round(studio, watch, index)]
         ticker.stop()
-        studio.window.close()
         return made
 
 

@@ -2,19 +2,19 @@
 
 from __future__ import annotations
 
-import tempfile
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
-from pathlib import Path
 from time import perf_counter
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from PySide6.QtCore import QEvent, QEventLoop, QSettings, Qt, QTimer
+from PySide6.QtCore import QEvent, QEventLoop, Qt, QTimer
 
 from benchmarks.frames import is_complete, on_frame
-from ui.app import Studio, make_application
+from benchmarks.opening import opened
 from ui.main_window import MainWindow
-from ui.theme import Theme
+
+if TYPE_CHECKING:
+    from ui.app import Studio
 
 FIELD = "lengthwise.spiral_angle_deg"
 TICK_MS = 5
@@ -52,22 +52,16 @@ class Watch:
 
 def measure(times: int = 20) -> list[Edit]:
     """Open the window, wait until everything is built, then edit so many times; two edits before are not counted."""
-    application = make_application(["gearstudio"])
-    with tempfile.TemporaryDirectory() as folder:
-        watch = Watch()
-        watch_drawing(watch)
-        studio = Studio(Theme(application), QSettings(str(Path(folder) / "settings.ini"), QSettings.Format.IniFormat))
-        shown: list[float] = []
+    watch, shown = Watch(), list[float]()
+    watch_drawing(watch)
+    with opened() as studio:
         on_frame(studio, lambda complete: shown.append(perf_counter()) if complete else None)
-        studio.window.may_close = lambda: True
-        studio.window.show()
         wait_until(lambda: is_complete(studio) and bool(shown) and not studio.session.missing_keys())
         ticker = QTimer(studio, interval=TICK_MS, timerType=Qt.TimerType.PreciseTimer)
         ticker.timeout.connect(watch.tick)
         ticker.start()
         edits = [_edit(studio, watch, shown, 30.0 + index % 5) for index in range(times + 2)]
         ticker.stop()
-        studio.window.close()
         return edits[2:]
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import gc
 import logging
 import sys
 from collections.abc import Sequence
@@ -15,7 +14,7 @@ from PySide6.QtGui import QGuiApplication, QSurfaceFormat
 from PySide6.QtWidgets import QApplication
 
 from ui.actions import TIP
-from ui.collecting import keep_what_is_loaded
+from ui.collecting import Collector
 from ui.controller import Controller
 from ui.diagnostics import CrashCatcher, log_path, log_tail, note_fact, start_logging, versions
 from ui.files import Files
@@ -260,7 +259,6 @@ def main(argv: Sequence[str] | None = None) -> int:
     int
         The exit status.
     """
-    gc.disable()
     arguments = list(sys.argv[1:] if argv is None else argv)
     parser = argparse.ArgumentParser(prog="gearstudio", description="Desktop studio for spiral bevel gears")
     parser.add_argument("design", nargs="?", help="design file (.gear.toml), or preset:KEY")
@@ -278,6 +276,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     mode = graphics_mode(opened.settings, options.graphics)
     prepare(mode)
     application = make_application(sys.argv)
+    collector = Collector(application)
     language = Language(application, chosen_language(opened.settings, options.language))
     start_logging()
     theme = Theme(application)
@@ -288,7 +287,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     studio = Studio(theme, opened.settings, options.design, data_folder(), mode, language)
     if opened.complaint:
         studio.window.messages.show_message("warning", opened.complaint, topic="settings")
-    studio.loader.finished.connect(keep_what_is_loaded)
+    studio.loader.finished.connect(collector.begin)
     if options.design is None:
         studio.loader.finished.connect(lambda: studio.controller.help.tour.offer())
     catcher = CrashCatcher(application)

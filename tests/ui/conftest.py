@@ -12,6 +12,7 @@ from PySide6.QtCore import QCoreApplication, QSettings, QStandardPaths, Qt
 from PySide6.QtWidgets import QApplication
 
 from ui.app import prepare_qt
+from ui.collecting import Collector
 from ui.theme import Theme
 
 
@@ -29,6 +30,20 @@ def theme(qapp: QApplication) -> Theme:
     made = Theme(qapp)
     made.apply()
     return made
+
+
+@pytest.fixture(scope="session")
+def collector(qapp: QApplication) -> Collector:
+    return Collector()
+
+
+@pytest.fixture(autouse=True)
+def _garbage_is_collected_as_in_the_program(collector: Collector) -> Iterator[None]:
+    """Never in the threads of a window: what is left of earlier windows would end there."""
+    gc.disable()
+    yield
+    collector.look()
+    gc.enable()
 
 
 @pytest.fixture(autouse=True)

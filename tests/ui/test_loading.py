@@ -6,10 +6,11 @@ import gc
 import sys
 import threading
 import types
+from typing import ClassVar
 
 import pytest
 
-from ui.collecting import keep_what_is_loaded
+from ui.collecting import Collector
 from ui.loading import Loader
 
 
@@ -45,10 +46,42 @@ def test_the_end_is_told_last(qtbot, heard) -> None:
     assert heard[-1] == ("finished",)
 
 
-def test_what_is_loaded_is_not_looked_through_again() -> None:
-    gc.disable()
-    keep_what_is_loaded()
-    assert gc.isenabled() and gc.get_freeze_count() > 0
+def test_what_is_loaded_is_not_looked_through_again(qapp) -> None:
+    collector = Collector()
+    collector.begin()
+    assert not gc.isenabled() and gc.get_freeze_count() > 0
+    gc.unfreeze()
+
+
+class Knot:
+    """Garbage that only a collector can free, and that tells where it ended."""
+
+    ended: ClassVar[list[threading.Thread]] = []
+
+    def __init__(self) -> None:
+        self.itself = self
+
+    def __del__(self) -> None:
+        self.ended.append(threading.current_thread())
+
+
+def test_garbage_ends_in_the_thread_of_the_windows_though_another_is_busy(qtbot) -> None:
+    Knot.ended.clear()
+    collector = Collector()
+    collector.begin()
+
+    def work() -> None:
+        for _ in range(20):
+            Knot()
+            hoard.append([[] for _ in range(2000)])
+
+    hoard: list[object] = []
+    thread = threading.Thread(target=work)
+    thread.start()
+    thread.join()
+    assert not Knot.ended
+    qtbot.waitUntil(lambda: len(Knot.ended) == 20, timeout=10_000)
+    assert set(Knot.ended) == {threading.main_thread()}
     gc.unfreeze()
 
 
