@@ -160,7 +160,8 @@ def test_the_window_may_close_at_any_moment(open_studio, qtbot, moment: str) -> 
     if moment == "painted":
         qtbot.waitSignal(studio.window.first_painted, timeout=10_000).wait()
     elif moment == "building":
-        qtbot.waitUntil(lambda: studio.session.building is not None, timeout=PATIENCE_MS)
+        changed, building = studio.session.results_changed, lambda _: studio.session.building is not None
+        qtbot.waitSignal(changed, timeout=PATIENCE_MS, check_params_cb=building).wait()
     elif moment != "loading":
         qtbot.waitSignal(studio.loader.loaded, timeout=PATIENCE_MS, check_params_cb=lambda s: s == moment).wait()
     started = monotonic()
