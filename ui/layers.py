@@ -192,7 +192,6 @@ LAYERS: tuple[LayerInfo, ...] = (
 SOLID = "solid"
 """Layers of whole gears: drawn whenever they are there, whatever the switches say."""
 
-LAYER_IDS = tuple(info.id for info in LAYERS)
 DEFAULT_VISIBLE = frozenset(info.id for info in LAYERS if info.visible)
 
 LAYER_SETS: tuple[tuple[str, frozenset[str]], ...] = (

@@ -7,7 +7,6 @@ from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
 from gearstudio.theory.cones import PairGeometry
 from gearstudio.theory.pair import placement
@@ -19,7 +18,6 @@ from ui.section import Plane, filled, outline
 from ui.solid_scene import GearMesh
 from ui.tooth_mesh import context_layers
 
-Floats = NDArray[np.float64]
 Level = Literal["fine", "coarse"]
 
 

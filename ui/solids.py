@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import logging
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
@@ -23,7 +22,6 @@ if TYPE_CHECKING:
 
 REST_MS = 500
 """Solids take seconds: after an edit they wait longer than the flanks do."""
-log = logging.getLogger(__name__)
 
 
 @dataclass(frozen=True, eq=False)

@@ -19,7 +19,6 @@ from gearstudio.formats import USUAL, ExportOptions
 from gearstudio.results import Mesh
 from gearstudio.theory.place import Place
 
-Floats = NDArray[np.float64]
 NamedMesh = tuple[str, Mesh, Place]
 
 _UNITS = {"m": 1e-3, "mm": 1.0}

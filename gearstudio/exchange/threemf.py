@@ -16,7 +16,6 @@ from gearstudio.formats import USUAL, ExportOptions
 from gearstudio.results import Mesh
 from gearstudio.theory.place import Place
 
-Floats = NDArray[np.float64]
 NamedMesh = tuple[str, Mesh, Place]
 
 _CORE = "http://schemas.microsoft.com/3dmanufacturing/core/2015/02"

@@ -21,7 +21,6 @@ from gearstudio.theory.blank import BlankOutline, BlankSizes, blank_outline
 from gearstudio.theory.chamfer import end_chamfers
 from gearstudio.theory.cones import MemberGeometry, pair_geometry
 
-CONSTRUCTIONS = ("assemble", "cut")
 _SIZE_SHARE = 4e-6
 _BUILT = {"assemble": 0.3, "cut": 0.8}
 

@@ -7,7 +7,6 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from gearstudio import catalogue
 from gearstudio.catalogue import MethodInfo, Variant
@@ -16,8 +15,6 @@ from gearstudio.methods.base import SAFETY, Construction, Refinement, Target, no
 from gearstudio.methods.rolled import DEGREE, RolledPatch, cut, rolled, stretches_of
 from gearstudio.theory.flank import Flank, InvoluteFlank
 from gearstudio.theory.hypoid.conjugate import ConjugateFlank
-
-Floats = NDArray[np.float64]
 
 PUBLISHED_POSITIONS = 5
 WITHOUT_MODIFICATIONS = {"modifications": "left out"}

@@ -13,7 +13,7 @@ from gearstudio.theory.modified import flank_of
 from tests.ui.made_up import DESIGNS, member_of, result_of, scene_layers
 from ui import colormap
 from ui.camera import VIEWS, Camera, Focus, view
-from ui.layers import DEFAULT_VISIBLE, LAYER_IDS, LAYER_SETS, Layer, drawn
+from ui.layers import DEFAULT_VISIBLE, LAYER_SETS, LAYERS, Layer, drawn
 from ui.picking import describe, first_hit
 from ui.scene import SceneOptions, member_layers, result_layers, roll_span_deg, rolling_layers
 
@@ -33,7 +33,7 @@ class TestEveryLayer:
         member = member_of(design, name)
         layers = scene_layers(member, result_of(member, wave), 0.4)
         assert len({layer.key for layer in layers}) == len(layers)
-        assert {layer.layer_id for layer in layers} == set(LAYER_IDS) - {"combs", "normals"}
+        assert {layer.layer_id for layer in layers} == {info.id for info in LAYERS} - {"combs", "normals"}
         for layer in layers:
             assert np.all(np.isfinite(layer.points)), layer.key
             assert np.abs(layer.points).max() < 1.3 * member.outer_cone_distance, layer.key
@@ -147,7 +147,7 @@ class TestDrawn:
         assert "tooth/whole" in {layer.key for layer in drawn(theory_only, {"tooth", "deviation"})}
 
     def test_sets_name_layers_that_exist(self):
-        assert all(ids <= set(LAYER_IDS) for _, ids in LAYER_SETS)
+        assert all(ids <= {info.id for info in LAYERS} for _, ids in LAYER_SETS)
 
 
 class TestPicking:

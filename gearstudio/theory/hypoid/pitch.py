@@ -12,7 +12,7 @@ They leave one number free, which the lengthwise curvature closes (`exact`), or 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import asin, atan, cos, degrees, pi, sin, tan
+from math import asin, atan, cos, pi, sin, tan
 
 from gearstudio.theory.hypoid.inputs import HypoidInput
 
@@ -157,11 +157,3 @@ def trace_curvature(given: HypoidInput, wheel_distance: float, wheel_spiral: flo
         return 1 / given.cutter_radius
     turn = sin(wheel_spiral) / wheel_distance
     return turn if given.curve == "logarithmic" else turn * (1 + cos(wheel_spiral) ** 2)
-
-
-def describe(cones: PitchCones) -> str:
-    """The cones in a line, for messages."""
-    return (
-        f"pitch angles {degrees(cones.pinion.angle):.4g}° and {degrees(cones.wheel.angle):.4g}°, spiral angles "
-        f"{degrees(cones.pinion.spiral_angle):.4g}° and {degrees(cones.wheel.spiral_angle):.4g}°"
-    )

@@ -5,13 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from gearstudio.theory.hypoid.conjugate import envelope
 from gearstudio.theory.hypoid.pair import HypoidPair
 from gearstudio.theory.involute import roll_arc
-
-Floats = NDArray[np.float64]
 
 LEAST_AREA_RATIO = 0.01
 _ALONG, _ACROSS = 41, 25
