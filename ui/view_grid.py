@@ -10,19 +10,19 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import replace
 
-import numpy as np
 from PySide6.QtCore import QEvent, QPointF, QSize, Signal
 from PySide6.QtGui import QImage, QResizeEvent, QShowEvent
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from ui import colormap
 from ui.actors import ActorStore
-from ui.camera import VIEWS, Camera, Focus, view
+from ui.camera import VIEWS, Camera
 from ui.layers import DEFAULT_VISIBLE, Layer, Panel, drawn
 from ui.theme import DARK, LIGHT
 from ui.viewport import Viewport
+from ui.views.aim import Aim
 from ui.views.appearance import GROUNDS, Appearance
-from ui.views.focus import focus_of, sphere_around, thinned
+from ui.views.focus import sphere_around
 from ui.views.overlays import Overlays
 from ui.views.panes import PANES
 from ui.views.pointing import Pointing
@@ -44,15 +44,12 @@ class ViewGrid(QWidget):
         `picking.Hover`, or None when the pointer is on no flank.
     picked(object)
         `picking.Hover` of a click on a flank, or None when its marker was taken away.
-    view_changed(str)
-        A named view was set.
     visible_changed()
         Layers were switched on or off.
     """
 
     hovered = Signal(object)
     picked = Signal(object)
-    view_changed = Signal(str)
     visible_changed = Signal()
 
     def __init__(
@@ -63,11 +60,11 @@ class ViewGrid(QWidget):
         super().__init__(parent)
         self._panels: tuple[Panel, ...] = ()
         self._visible = set(DEFAULT_VISIBLE)
-        self._focus: Focus | None = None
-        self._view, self._dark, self._closed = "tooth", False, False
+        self._dark, self._closed = False, False
         self._range = (-1.0, 1.0)
         self.appearance = Appearance()
         self.viewport = make_viewport(self)
+        self.aim = Aim(self.viewport)
         self.store = ActorStore(self.viewport.renderers)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
@@ -96,7 +93,7 @@ class ViewGrid(QWidget):
             self.viewport.set_pane_count(max(len(self._panels), 1))
         self.pointing.clear()
         self._refresh()
-        self._follow(forced=count == 0)
+        self.aim.follow(self._panels, self._above, forced=count == 0)
         self.pointing.follow_layers()
         self.follow_cameras()
         self.place_overlays()
@@ -181,9 +178,8 @@ class ViewGrid(QWidget):
     def set_theme(self, dark: bool) -> None:
         """Light or dark; on a ground of its own colour what is drawn suits that."""
         self._dark = dark
-        colors = DARK if dark else LIGHT
-        plain, on_dark = GROUNDS.get(self.appearance.ground, ("", dark))
-        self.viewport.set_ground(plain or colors.view_top, plain or colors.view_bottom)
+        _, on_dark = GROUNDS.get(self.appearance.ground, ("", dark))
+        self.viewport.set_ground(*self.ground)
         self.store.restyle(on_dark, self.devicePixelRatioF())
         self.overlays.set_theme(on_dark)
 
@@ -218,40 +214,22 @@ class ViewGrid(QWidget):
         """
         if name not in VIEWS:
             raise ValueError(f"no view is called {name!r}; there are {', '.join(VIEWS)}")
-        if name != "fit":
-            self._view = name
-        if self._focus is not None:
-            focus = self._focus
-            if name == "fit":
-                seen = [thinned(x.points) for pane in range(len(self._panels)) for x in self.shown(pane)]
-                focus = replace(focus, points=np.concatenate(seen)) if seen else focus
-            pane = self.viewport.active
-            above = self.overlays.title_height / max(self.height(), 1)
-            look = view(name, focus, self.viewport.aspect, self.viewport.look, min(above, 0.3))
-            self.viewport.set_camera(look, pane)
-            self.follow_cameras()
-        self.view_changed.emit(name)
+        self.aim.look_from(name, (x for pane in range(len(self._panels)) for x in self.shown(pane)), self._above)
+        self.follow_cameras()
 
     def keep_view(self) -> tuple[Camera, str]:
         """Where one looks from now, for `restore_view`."""
-        return self.viewport.look, self._view
+        return self.aim.keep()
 
     def restore_view(self, kept: tuple[Camera, str]) -> None:
         """Look from there again."""
-        look, self._view = kept
-        self.viewport.set_camera(replace(look, parallel=self.appearance.parallel))
+        self.aim.restore(kept)
         self.follow_cameras()
 
-    def _follow(self, forced: bool) -> None:
-        """Aim the camera again when there is another gear to look at."""
-        focus = focus_of(self._panels)
-        before, self._focus = self._focus, focus or self._focus
-        if focus is not None and (forced or before is None or not focus.resembles(before)):
-            self.viewport.set_camera(self.viewport.look)
-            for pane in range(1 if self.viewport.linked else PANES):
-                self.viewport.active = pane
-                self.set_view(self._view)
-            self.viewport.active = 0
+    @property
+    def _above(self) -> float:
+        """Share of the height that titles take."""
+        return self.overlays.title_height / max(self.height(), 1)
 
     def _on_drawing(self, hurried: bool) -> None:
         self.store.set_coarse(hurried)
