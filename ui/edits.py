@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
-from PySide6.QtCore import QObject, QSignalBlocker, Signal
+from PySide6.QtCore import QObject, QSignalBlocker
 
 from gearstudio.design import all_field_specs, field_specs
 from ui.applicability import idle_fields
@@ -22,15 +22,7 @@ SHOWN_MS = 5000
 
 
 class Edits(QObject):
-    """Takes edits from the form and the menus to the session, and back and forth again.
-
-    Signals
-    -------
-    history_changed()
-        Other steps can be undone or done again.
-    """
-
-    history_changed = Signal()
+    """Takes edits from the form and the menus to the session, and back and forth again."""
 
     def __init__(self, session: Session, window: MainWindow, parent: QObject, history: History | None = None) -> None:
         super().__init__(parent)
@@ -96,7 +88,6 @@ class Edits(QObject):
         commands = self._window.commands
         for name, label in (("undo", self.history.undo_label), ("redo", self.history.redo_label)):
             commands.name_step(name, told(label) if label else "")
-        self.history_changed.emit()
 
     def _apply(self, values: Mapping[str, Any], label: str, thread: str) -> None:
         session, form = self._session, self._window.form

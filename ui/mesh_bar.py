@@ -5,6 +5,7 @@ from __future__ import annotations
 from PySide6.QtCore import QElapsedTimer, QEvent, QSignalBlocker, Qt, QTimer, Signal
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QSlider, QToolButton, QWidget
 
+from ui.formatting import MINUS, number
 from ui.theme import refresh_icons, set_icon
 from ui.words import tr
 
@@ -22,11 +23,9 @@ class MeshBar(QWidget):
     -------
     turned(float)
         Angle of the pinion [degrees], 0 to 360.
-    playing_changed(bool)
     """
 
     turned = Signal(float)
-    playing_changed = Signal(bool)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -44,7 +43,7 @@ class MeshBar(QWidget):
         self._speed.setToolTip(tr("Speed; at 1× one tooth passes each second"))
         self._speed.setAccessibleName(tr("Speed"))
         for speed in SPEEDS:
-            self._speed.addItem(f"{speed:g}×", speed)
+            self._speed.addItem(f"{number(speed, 'g')}×", speed)
         self._speed.setCurrentIndex(SPEEDS.index(0.5))
         self._label = QLabel(self)
         self._label.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
@@ -80,14 +79,12 @@ class MeshBar(QWidget):
             self._clock.start()
             self._timer.start(0)
             set_icon(self._play, "pause")
-            self.playing_changed.emit(True)
 
     def pause(self) -> None:
         """Stop where it is."""
         if self.playing:
             self._timer.stop()
             set_icon(self._play, "play")
-            self.playing_changed.emit(False)
 
     def step(self, count: int) -> None:
         """Turn on by so many twelfths of a tooth."""
@@ -113,11 +110,8 @@ class MeshBar(QWidget):
         self.turned.emit(angle)
 
     def _text(self, angle: float) -> str:
-        return (
-            tr("Pinion {pinion:.1f}° · wheel {wheel:.1f}°", pinion=angle, wheel=-angle * self._ratio)
-            .replace("-0.0°", "0.0°")
-            .replace("-", "−")
-        )
+        turned = [round(one, 1) + 0.0 for one in (angle, -angle * self._ratio)]
+        return tr("Pinion {pinion:.1f}° · wheel {wheel:.1f}°", pinion=turned[0], wheel=turned[1]).replace("-", MINUS)
 
     def _show(self) -> None:
         self._label.setText(self._text(self._angle))

@@ -20,11 +20,9 @@ class RollSlider(QWidget):
     -------
     rolled(float)
         Place in [0, 1].
-    playing_changed(bool)
     """
 
     rolled = Signal(float)
-    playing_changed = Signal(bool)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -89,7 +87,6 @@ class RollSlider(QWidget):
         else:
             self._timer.stop()
         self._show_icon()
-        self.playing_changed.emit(on)
 
     def _advance(self) -> None:
         value = self._slider.value() + max(1, round(self._clock.restart() / 1000 / SECONDS_PER_SWEEP * STEPS))
