@@ -69,16 +69,23 @@ def _no_view_is_left_open() -> Iterator[None]:
 
 
 @pytest.fixture
-def view(qtbot):
-    """The scene of solids in a view of its own."""
-    from ui.solid_view import SolidView
+def grid(qtbot):
+    """3D views of their own."""
     from ui.view_grid import ViewGrid
 
-    grid = ViewGrid()
-    grid.resize(900, 600)
-    grid.show()
-    qtbot.waitExposed(grid)
-    yield SolidView(grid)
-    grid.close_views()
-    grid.close()
-    grid.deleteLater()
+    made = ViewGrid()
+    made.resize(900, 600)
+    made.show()
+    qtbot.waitExposed(made)
+    yield made
+    made.close_views()
+    made.close()
+    made.deleteLater()
+
+
+@pytest.fixture
+def view(grid):
+    """The scene of solids in a view of its own."""
+    from ui.solid_view import SolidView
+
+    return SolidView(grid)

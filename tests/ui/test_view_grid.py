@@ -24,18 +24,9 @@ def panels(count: int, member: str = "wheel", amounts=AMOUNTS) -> list[Panel]:
 
 
 @pytest.fixture
-def grid(qtbot):
-    from ui.view_grid import ViewGrid
-
-    made = ViewGrid()
-    made.resize(900, 500)
-    made.show()
-    qtbot.waitExposed(made)
-    made.set_color_range(40.0)
-    yield made
-    made.close_views()
-    made.close()
-    made.deleteLater()
+def grid(grid):
+    grid.set_color_range(40.0)
+    return grid
 
 
 def settled(qtbot, grid) -> None:
@@ -183,7 +174,7 @@ class TestPointer:
         assert hover.rho == pytest.approx(np.linalg.norm(hover.xyz))
         assert all(marker.isVisible() for marker in grid.overlays.markers)
         with qtbot.waitSignal(grid.hovered) as told:
-            move_to(grid, QPointF(2, 498))
+            move_to(grid, QPointF(2, 598))
         assert told.args[0] is None
         assert not any(marker.isVisible() for marker in grid.overlays.markers)
 
