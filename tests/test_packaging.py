@@ -2,22 +2,33 @@
 
 from __future__ import annotations
 
+import ast
 import configparser
 import os
+import runpy
 import shutil
 import subprocess
 import sys
+import tarfile
 import tomllib
 import xml.etree.ElementTree as ET
 import zipfile
 from importlib import metadata
 from pathlib import Path
+from types import ModuleType, SimpleNamespace
+from typing import Any
 
 import pytest
+from packaging.utils import canonicalize_name
 
 ROOT = Path(__file__).resolve().parents[1]
 PACKAGES = ("gearstudio", "ui")
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
+SOURCES = {"LICENSE", "MANIFEST.in", "README.md", "pyproject.toml"} | {
+    f"packaging/{path.name}" for path in (ROOT / "packaging").iterdir()
+}
+SAID_BY_TOOLS = {"PKG-INFO", "setup.cfg"}
+REQUIREMENTS = (ROOT / "requirements.txt").read_text(encoding="utf-8").splitlines()
 
 
 def data_files() -> set[str]:
@@ -54,6 +65,60 @@ def test_the_wheel_takes_every_kind_of_data_file() -> None:
         assert all((ROOT / name).is_file() for name in names)
 
 
+class Recorded(ModuleType):
+    """Stands in for the freezer: notes which data files, modules and packages' versions the bundle is to have."""
+
+    def __init__(self) -> None:
+        super().__init__("PyInstaller.utils.hooks")
+        self.data: set[str] = set()
+        self.modules: set[str] = set()
+        self.versions: set[str] = set()
+
+    def collect_data_files(self, _package: str, **_options: Any) -> list[tuple[str, str]]:
+        return []
+
+    def collect_submodules(self, package: str, **_options: Any) -> list[str]:
+        return [package]
+
+    def copy_metadata(self, name: str) -> list[tuple[str, str]]:
+        self.versions.add(canonicalize_name(name))
+        return []
+
+    def analyse(self, _scripts: list[str], **given: Any) -> SimpleNamespace:
+        self.modules |= set(given["hiddenimports"])
+        self.data |= {f"{folder}/{Path(file).name}" for file, folder in given["datas"]}
+        return SimpleNamespace(pure=[], scripts=[], binaries=[], datas=[])
+
+
+@pytest.fixture
+def bundle(monkeypatch: pytest.MonkeyPatch) -> Recorded:
+    """What the recipe of the bundle asks for."""
+    recorded = Recorded()
+    for name in ("PyInstaller", "PyInstaller.utils"):
+        monkeypatch.setitem(sys.modules, name, ModuleType(name))
+    monkeypatch.setitem(sys.modules, recorded.__name__, recorded)
+    spec = ROOT / "packaging" / "gearstudio.spec"
+    others = dict.fromkeys(("PYZ", "EXE", "COLLECT"), lambda *_things, **_options: None)
+    runpy.run_path(str(spec), {"SPECPATH": str(spec.parent), "Analysis": recorded.analyse, **others})
+    return recorded
+
+
+def test_the_bundle_takes_every_data_file_and_no_script(bundle: Recorded) -> None:
+    assert bundle.data == data_files() | help_pages()
+    assert set(PACKAGES) <= bundle.modules
+
+
+def test_the_bundle_knows_the_versions_that_the_program_tells(bundle: Recorded) -> None:
+    pinned = {canonicalize_name(line.split("==")[0]) for line in REQUIREMENTS if "==" in line}
+    told = set()
+    for path in (path for package in PACKAGES for path in (ROOT / package).rglob("*.py")):
+        tree = ast.parse(path.read_text(encoding="utf-8"))
+        if any(isinstance(node, ast.Attribute) and ast.unparse(node) == "metadata.version" for node in ast.walk(tree)):
+            words = (node.value for node in ast.walk(tree) if isinstance(node, ast.Constant))
+            told |= {canonicalize_name(word) for word in words if isinstance(word, str)} & pinned
+    assert told and told <= bundle.versions
+
+
 def can_build() -> bool:
     try:
         return int(metadata.version("setuptools").split(".")[0]) >= 77 and bool(metadata.version("pip"))
@@ -75,22 +140,21 @@ def test_the_wheel_is_complete_and_runs_from_a_folder_of_its_own(tmp_path: Path)
         )
 
     source = tmp_path / "source"
-    for name in ("pyproject.toml", "README.md", "LICENSE", "main.py"):
+    for name in ("pyproject.toml", "MANIFEST.in", "README.md", "LICENSE", "main.py"):
         source.mkdir(exist_ok=True)
         (source / name).write_bytes((ROOT / name).read_bytes())
-    for name in ("gearstudio", "ui", "packaging"):
+    for name in (*PACKAGES, "packaging", "tests"):
         copy_tree(ROOT / name, source / name)
     options = ("--no-deps", "--no-build-isolation", "--no-index", "--quiet", "--disable-pip-version-check")
     made = run("-m", "pip", "wheel", *options, "--wheel-dir", str(tmp_path), str(source))
     assert made.returncode == 0, made.stderr
     (wheel,) = tmp_path.glob("*.whl")
     names = set(zipfile.ZipFile(wheel).namelist())
-    assert (
-        data_files() | help_pages() <= names
-        and "main.py" in names
-        and not any(name.startswith("tests") for name in names)
-    )
+    code = {path.relative_to(ROOT).as_posix() for package in PACKAGES for path in (ROOT / package).rglob("*.py")}
+    whole = data_files() | help_pages() | code | {"main.py"}
+    assert {name for name in names if not name.startswith("gearstudio-")} == whole
     assert any(name.endswith("share/applications/gearstudio.desktop") for name in names)
+    assert set(sourced(source, tmp_path)) - SAID_BY_TOOLS == whole | SOURCES
     place = tmp_path / "place"
     assert run("-m", "pip", "install", *options, "--target", str(place), str(wheel)).returncode == 0
     command = str(place / "bin" / "gearstudio")
@@ -98,6 +162,17 @@ def test_the_wheel_is_complete_and_runs_from_a_folder_of_its_own(tmp_path: Path)
     assert done.returncode == 0 and "Default spiral bevel pair" in done.stdout, done.stderr
     where = run("-c", "import ui, gearstudio; print(ui.__file__, gearstudio.__file__)", PYTHONPATH=str(place))
     assert where.stdout.count(str(place)) == 2
+
+
+def sourced(source: Path, place: Path) -> list[str]:
+    """What a source distribution has."""
+    make = "import sys, setuptools.build_meta as made; print(made.build_sdist(sys.argv[1]))"
+    done = subprocess.run(
+        [sys.executable, "-c", make, str(place)], cwd=source, capture_output=True, text=True, check=True
+    )
+    with tarfile.open(place / done.stdout.splitlines()[-1]) as archive:
+        files = [entry.name.partition("/")[2] for entry in archive if entry.isfile()]
+    return [name for name in files if ".egg-info/" not in name]
 
 
 def copy_tree(source: Path, target: Path) -> None:
