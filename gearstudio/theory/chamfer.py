@@ -65,11 +65,6 @@ class EndChamfer:
         radius = np.hypot(points[..., 0], points[..., 1])
         return np.asarray((radius - self.face[0]) * self.normal[0] + (points[..., 2] - self.face[1]) * self.normal[1])
 
-    def bound(self, polar_angle: Floats) -> tuple[Floats, bool]:
-        """Distance from the apex [mm] at polar angles where the cone is met, and whether the metal lies below it."""
-        slope = self.normal[0] * np.sin(polar_angle) + self.normal[1] * np.cos(polar_angle)
-        return np.asarray(np.dot(self.normal, self.face) / slope), bool(np.all(slope > 0))
-
 
 def end_point(member: MemberGeometry, limit: ConeLimit, v: float) -> Floats:
     """(radius, height) where a cone meets an end of the teeth, v = 0 at the toe, 1 at the heel [mm]."""

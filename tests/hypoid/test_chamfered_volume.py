@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import pytest
 
-from gearstudio.analysis.volume import gear_volume
 from gearstudio.design import Design, with_field
 from gearstudio.kernel.solids import is_valid, solid_volume
 from gearstudio.methods.gear import build_gear
@@ -12,6 +11,7 @@ from gearstudio.presets import PRESETS_BY_KEY
 from gearstudio.theory.chamfer import chamfer_limits
 from gearstudio.theory.cones import pair_geometry
 from tests.hypoid.test_tangent_faces import deep
+from tests.volume import gear_volume
 
 CASES = [
     (PRESETS_BY_KEY["hypoid-car"].design, "pinion", 1.5),

@@ -9,7 +9,6 @@ import pytest
 from hypothesis import HealthCheck, assume, given, settings
 
 from gearstudio.analysis.gear_deviation import GearTheory
-from gearstudio.analysis.volume import gear_volume
 from gearstudio.design import Design, with_field
 from gearstudio.kernel.solids import check_solid, is_valid, solid_volume
 from gearstudio.methods.gear import build_gear
@@ -22,6 +21,7 @@ from gearstudio.theory.profile import profile_of
 from gearstudio.theory.section import Profile, Segment
 from tests.strategies import offset_designs
 from tests.theory.hypoid.rolling import lag
+from tests.volume import gear_volume
 
 Floats = np.ndarray
 DEEP: dict[str, dict[str, float]] = {

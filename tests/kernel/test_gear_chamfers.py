@@ -5,7 +5,6 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from gearstudio.analysis.volume import gear_volume
 from gearstudio.catalogue import METHOD_IDS
 from gearstudio.kernel.solids import is_closed, is_valid, measured_gap, solid_volume
 from gearstudio.methods.gear import blank_sizes, build_gear, design_tooth, target_of
@@ -17,6 +16,7 @@ from gearstudio.theory.chamfer import chamfer_limits, end_point
 from gearstudio.theory.cones import pair_geometry
 from gearstudio.validation import check
 from tests.kernel.gears import Changes, by_name, changed, points_inside
+from tests.volume import gear_volume
 
 pytestmark = pytest.mark.kernel
 

@@ -11,11 +11,11 @@ from OCP.BRepExtrema import BRepExtrema_DistShapeShape
 from OCP.gp import gp_Pnt
 from OCP.TopAbs import TopAbs_ShapeEnum
 
-from gearstudio.analysis.volume import gear_volume
 from gearstudio.kernel.cutting import Face, compound, parts
 from gearstudio.kernel.solids import is_closed, is_valid, measured_gap, solid_volume
 from gearstudio.methods.gear import Gear, build_gear
 from tests.kernel.gears import Changes, by_name, changed, points_inside
+from tests.volume import gear_volume
 
 pytestmark = pytest.mark.kernel
 

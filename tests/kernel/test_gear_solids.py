@@ -13,7 +13,6 @@ from hypothesis import HealthCheck, Phase, given, seed, settings
 from hypothesis import strategies as st
 from OCP.BRep import BRep_Tool
 
-from gearstudio.analysis.volume import gear_volume
 from gearstudio.catalogue import METHOD_IDS
 from gearstudio.design import Design, with_field
 from gearstudio.kernel.convert import to_record
@@ -30,6 +29,7 @@ from gearstudio.validation import check
 from tests.designs import GOLDEN
 from tests.kernel.gears import off_fillet
 from tests.strategies import designs, modified_designs
+from tests.volume import gear_volume
 
 pytestmark = pytest.mark.kernel
 

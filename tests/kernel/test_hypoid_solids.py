@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 
 from gearstudio.analysis.gear_deviation import GearTheory
-from gearstudio.analysis.volume import gear_volume
 from gearstudio.design import Design, with_field
 from gearstudio.jobs import ExportJob
 from gearstudio.kernel.solids import check_solid, is_valid, solid_volume
@@ -18,6 +17,7 @@ from gearstudio.theory.cones import pair_geometry
 from gearstudio.theory.pair import placement
 from gearstudio.theory.place import Place
 from tests.kernel.test_gear_pair import CHORD, Body
+from tests.volume import gear_volume
 
 pytestmark = pytest.mark.kernel
 

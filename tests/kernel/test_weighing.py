@@ -23,11 +23,11 @@ from OCP.BRepPrimAPI import (
 from OCP.gp import gp_Ax1, gp_Ax2, gp_Dir, gp_Pnt, gp_Trsf, gp_Vec
 from OCP.TopoDS import TopoDS
 
-from gearstudio.analysis.volume import gear_volume
 from gearstudio.design import Design
 from gearstudio.kernel.weighing import volume_of, weigh
 from gearstudio.methods.gear import build_gear
 from tests.kernel.gears import changed
+from tests.volume import gear_volume
 
 pytestmark = pytest.mark.kernel
 PI = np.pi

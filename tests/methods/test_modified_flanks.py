@@ -10,7 +10,6 @@ import pytest
 from hypothesis import HealthCheck, Phase, given, settings
 
 from gearstudio.analysis.comparison import build_variant
-from gearstudio.analysis.volume import gear_volume
 from gearstudio.catalogue import MEMBERS, METHOD_IDS, VARIANTS
 from gearstudio.cli.compare import variant_record
 from gearstudio.design import Design, with_field
@@ -26,6 +25,7 @@ from gearstudio.theory.flank import FLANKS
 from gearstudio.theory.modified import flank_of, flank_on
 from tests.strategies import modified_designs
 from tests.theory.test_modified import modified
+from tests.volume import gear_volume
 
 pytestmark = pytest.mark.kernel
 

@@ -8,7 +8,6 @@ from functools import lru_cache
 import numpy as np
 import pytest
 
-from gearstudio.analysis.volume import gear_volume
 from gearstudio.design import Design
 from gearstudio.presets import PRESETS
 from gearstudio.results import SolidResult
@@ -17,6 +16,7 @@ from gearstudio.theory.cones import MemberGeometry, PairGeometry, pair_geometry
 from gearstudio.theory.flank import InvoluteFlank
 from gearstudio.theory.pair import pinion_placement, wheel_placement
 from tests.ui.made_up_solid import solid_of
+from tests.volume import gear_volume
 from ui.meshes import Mesh, joined, stitched
 from ui.section import Plane, filled, outline
 from ui.solid_layers import PlacedGear, SolidOptions, base_place, gear_layers, motion, put

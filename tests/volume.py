@@ -9,12 +9,12 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import brentq
 
-from gearstudio.analysis.section_volume import teeth_volume
 from gearstudio.theory.chamfer import EndChamfer, end_point
 from gearstudio.theory.cones import MemberGeometry
 from gearstudio.theory.involute import polar_angle, roll_arc
 from gearstudio.theory.profile import ToothProfile, profile_of
 from gearstudio.theory.section import Segment
+from tests.section_volume import teeth_volume
 
 Floats = NDArray[np.float64]
 
@@ -140,8 +140,9 @@ def _span(member: MemberGeometry, delta: Floats, chamfers: Sequence[EndChamfer])
         else:
             low = np.where(above, np.maximum(low, bound), high)
     for chamfer in chamfers:
-        bound, is_upper = chamfer.bound(delta)
-        low, high = (low, np.minimum(high, bound)) if is_upper else (np.maximum(low, bound), high)
+        slope = chamfer.normal[0] * np.sin(delta) + chamfer.normal[1] * np.cos(delta)
+        bound = np.dot(chamfer.normal, chamfer.face) / slope
+        low, high = (low, np.minimum(high, bound)) if np.all(slope > 0) else (np.maximum(low, bound), high)
     return low, high
 
 
