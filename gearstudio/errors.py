@@ -38,11 +38,14 @@ class GearStudioError(Exception):
 
 
 class DesignError(GearStudioError):
-    """A design that cannot be used; carries every problem found."""
+    """A design that cannot be used; carries every problem found, and the path of its file where it has one."""
 
-    def __init__(self, issues: Sequence[Issue]) -> None:
-        self.issues = tuple(issues)
+    def __init__(self, issues: Sequence[Issue], path: object = "") -> None:
+        self.issues, self.path = tuple(issues), str(path)
         super().__init__("\n".join(str(issue) for issue in self.issues))
+
+    def __reduce__(self) -> tuple[type, tuple[tuple[Issue, ...], str]]:
+        return type(self), (self.issues, self.path)
 
 
 class GeometryError(GearStudioError):

@@ -8,7 +8,7 @@ import os
 import sys
 import tempfile
 import traceback
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from datetime import datetime
 from pathlib import Path
 
@@ -27,7 +27,37 @@ _REASONS = {
     errno.EISDIR: "this is a folder, not a file",
     errno.ENAMETOOLONG: "the name is too long",
     errno.EIO: "the disk reports a fault",
+    errno.EBUSY: "another program is using it",
 }
+_ELSEWHERE, _ROOM = "choose another folder", "free some space, or choose another disk"
+_CLOSE_IT = "close it there and try again"
+_WHEN_WRITING = {
+    errno.ENOENT: "choose another folder, or make this one first",
+    errno.EACCES: "choose another folder, or ask who owns this one",
+    errno.EPERM: "choose another folder, or ask who owns this one",
+    errno.EROFS: _ELSEWHERE,
+    errno.EFBIG: "choose another disk",
+    errno.ENOSPC: _ROOM,
+    errno.EDQUOT: _ROOM,
+    errno.ENOTDIR: _ELSEWHERE,
+    errno.EEXIST: _ELSEWHERE,
+    errno.EISDIR: "choose another name",
+    errno.ENAMETOOLONG: "choose a shorter one",
+    errno.EIO: "choose another disk, and have this one checked",
+    errno.EBUSY: _CLOSE_IT,
+}
+_WHEN_READING = {
+    errno.ENOENT: "check its name, it may have been moved",
+    errno.EACCES: "ask who owns it to let you read it",
+    errno.EPERM: "ask who owns it to let you read it",
+    errno.EISDIR: "choose a file in it",
+    errno.EIO: "copy the file from another place, and have this disk checked",
+    errno.EBUSY: _CLOSE_IT,
+}
+_SHARING_VIOLATIONS = (32, 33)
+"""What Windows calls a file that another program keeps to itself."""
+_TRIAL = 1 << 16
+"""Bytes that tell whether a disk takes any more."""
 
 
 def read_bytes(path: Path) -> bytes:
@@ -38,7 +68,7 @@ def read_bytes(path: Path) -> bytes:
     FileError
         It is missing, a folder, not permitted, or not readable.
     """
-    with named_errors(path):
+    with named_errors(path, reading=True):
         return path.read_bytes()
 
 
@@ -74,14 +104,36 @@ def write_text(path: Path, content: str) -> None:
 
 
 @contextlib.contextmanager
-def named_errors(path: Path) -> Iterator[None]:
-    """Turn what the operating system refuses into a FileError about the file that was asked for."""
+def named_errors(path: Path, *, reading: bool = False) -> Iterator[None]:
+    """Turn what the operating system refuses into a FileError about the file that was asked for, with what to do."""
     try:
         yield
     except OSError as error:
-        raise FileError(path, _REASONS.get(error.errno or 0, error.strerror or str(error))) from error
+        raise FileError(path, _refusal(error, _WHEN_READING if reading else _WHEN_WRITING)) from error
     except ValueError as error:  # a null character in the name
         raise FileError(path, "this is not a file name") from error
+
+
+def why_not_written(path: Path, otherwise: str) -> str:
+    """Why another program could not write a file: what the operating system says of a trial beside it, or `otherwise`.
+
+    To be asked before what that program left is removed: on a full disk it takes the room.
+    """
+    trial = path.with_name(f".{os.getpid()}-trial.part")
+    try:
+        write_bytes(trial, bytes(_TRIAL))
+    except FileError as error:
+        return error.reason
+    finally:
+        with contextlib.suppress(OSError):
+            trial.unlink()
+    return otherwise
+
+
+def _refusal(error: OSError, remedies: Mapping[int, str]) -> str:
+    number = errno.EBUSY if getattr(error, "winerror", 0) in _SHARING_VIOLATIONS else error.errno or 0
+    reason, remedy = _REASONS.get(number, error.strerror or str(error)), remedies.get(number, "")
+    return f"{reason}; {remedy}" if remedy else reason
 
 
 def log_file() -> Path:

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Iterator
 from difflib import get_close_matches
 from pathlib import Path
-from typing import Any
 
 from gearstudio.design import FORMAT, Design, FieldSpec, all_field_specs, field_value
+from gearstudio.design.reading import design_tables
 from gearstudio.errors import DesignError, FileError, Issue
 from gearstudio.files import read_bytes, write_text
 from gearstudio.presets import PRESETS_BY_KEY
@@ -16,6 +15,7 @@ from gearstudio.validation import read_design
 
 PRESET_PREFIX = "preset:"
 LARGEST_FILE = 1_000_000
+_NO_FORMAT = f"the number of the format is missing; write format = {FORMAT} in the first line"
 
 
 def open_design(name: str) -> Design:
@@ -55,11 +55,11 @@ def load_design(path: str | Path) -> Design:
     content = read_bytes(path)
     if len(content) > LARGEST_FILE:
         raise FileError(path, f"{len(content) / 1e6:.3g} MB is too large for a design file; the most is 1 MB")
-    data = _parse(path, content)
-    missing = [] if "format" in data else [_no_format(path)]
+    data = design_tables(content, path)
+    missing = [] if "format" in data else [Issue("no_format", "format", _NO_FORMAT)]
     design, issues = read_design(data)
     if design is None or missing:
-        raise DesignError([*missing, *(issue for issue in issues if issue.severity == "error")])
+        raise DesignError([*missing, *(issue for issue in issues if issue.severity == "error")], path)
     return design
 
 
@@ -77,36 +77,6 @@ def save_design(path: str | Path, design: Design) -> None:
 def design_text(design: Design) -> str:
     """The design file of a design, with units and choices as comments."""
     return "\n".join(_lines(design)) + "\n"
-
-
-def _parse(path: Path, content: bytes) -> dict[str, Any]:
-    try:
-        text = content.decode("utf-8-sig")
-    except UnicodeDecodeError as error:
-        line = content[: error.start].count(b"\n") + 1
-        raise _unusable("not_utf8", f"{path}: line {line} is not UTF-8 text; save the file as UTF-8") from error
-    if not text.strip():
-        raise _unusable("empty", f"{path}: the file is empty; a design file begins with format = {FORMAT}")
-    try:
-        return tomllib.loads(text)
-    except RecursionError as error:
-        raise _unusable("not_toml", f"{path}: not a TOML file: tables or lists are nested too deeply") from error
-    except tomllib.TOMLDecodeError as error:
-        raise _unusable("not_toml", f"{path}: not a TOML file: {_printable(str(error))}") from error
-    except ValueError as error:  # more digits than Python converts
-        raise _unusable("not_toml", f"{path}: a number in it has thousands of digits") from error
-
-
-def _no_format(path: Path) -> Issue:
-    return Issue("no_format", "format", f"missing in {path}; write format = {FORMAT} in the first line")
-
-
-def _unusable(code: str, message: str) -> DesignError:
-    return DesignError([Issue(code, "", message)])
-
-
-def _printable(text: str) -> str:
-    return "".join(letter if letter.isprintable() else " " for letter in text)
 
 
 def _lines(design: Design) -> Iterator[str]:

@@ -80,7 +80,7 @@ def test_a_message_names_field_value_limit_and_remedy() -> None:
     [
         (True, "true"),
         ("17", '"17"'),
-        ("", '""'),
+        ("", "the value is empty"),
         (float("nan"), "nan"),
         (float("inf"), "inf"),
         (-1e300, "-1e+300"),

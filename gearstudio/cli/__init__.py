@@ -43,7 +43,7 @@ def main(argv: Sequence[str], take_picture: TakePicture | None = None) -> int:
         return end.code if isinstance(end.code, int) else DONE
     except DesignError as error:
         for issue in error.issues:
-            problem(str(issue))
+            problem(f"{error.path}: {issue}" if error.path and not issue.field else str(issue))
         return UNUSABLE_INPUT
     except FileError as error:
         problem(str(error))

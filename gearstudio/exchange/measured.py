@@ -64,7 +64,7 @@ def read_measured(path: str | Path, report: Callable[[float], None] | None = Non
         The file cannot be read, has other columns, other units, or something that is not a number, with its line.
     """
     path = Path(path)
-    with named_errors(path), open(path, encoding="utf-8-sig", errors="replace") as file:
+    with named_errors(path, reading=True), open(path, encoding="utf-8-sig", errors="replace") as file:
         size, done, number = max(path.stat().st_size, 1), 0, 0
         layout: _Layout | None = None
         while lines := list(islice(file, _LINES_AT_ONCE)):

@@ -25,6 +25,7 @@ from OCP.TopoDS import TopoDS, TopoDS_Compound
 from OCP.XCAFDoc import XCAFDoc_DocumentTool
 
 from gearstudio.errors import FileError
+from gearstudio.files import why_not_written
 from gearstudio.formats import USUAL, ExportOptions
 from gearstudio.kernel.convert import to_face, to_record
 from gearstudio.kernel.document import set_name
@@ -73,8 +74,14 @@ def write_flanks_step(
     writer.SetNameMode(True)
     writer.Transfer(document, STEPControl_StepModelType.STEPControl_AsIs)
     if writer.Write(str(path)) != IFSelect_ReturnStatus.IFSelect_RetDone:
-        raise FileError(path, "the CAD kernel could not write the STEP file")
+        raise not_written(path, "step")
     name_measures(path)
+
+
+def not_written(path: Path, format_: str) -> FileError:
+    """Why the kernel did not write a file, as far as it can be found out: it keeps that to itself."""
+    text = f"the CAD kernel could not write the {format_.upper()} file and gave no reason; try another format or folder"
+    return FileError(path, why_not_written(path, text))
 
 
 def read_flanks_step(path: Path) -> dict[str, NurbsSurface]:

@@ -14,11 +14,10 @@ from OCP.Interface import Interface_Static
 from OCP.STEPCAFControl import STEPCAFControl_Writer
 from OCP.STEPControl import STEPControl_StepModelType
 
-from gearstudio.errors import FileError
 from gearstudio.formats import ExportOptions
 from gearstudio.kernel.cutting import compound
 from gearstudio.kernel.document import Part, located, make_document
-from gearstudio.kernel.step import choose_step, name_measures, settle
+from gearstudio.kernel.step import choose_step, name_measures, not_written, settle
 
 _UNITS = {"mm": "MM", "inch": "INCH"}
 _IGES_BODIES = {"surfaces": 0, "solid": 1}
@@ -45,7 +44,7 @@ def write_solids(path: Path, name: str, made: Sequence[Part], format_: str, opti
     """
     settle()
     if not _WRITERS[format_](path, name, made, options):
-        raise FileError(path, f"the CAD kernel could not write the {format_.upper()} file; the disk may be full")
+        raise not_written(path, format_)
 
 
 def _write_step(path: Path, name: str, made: Sequence[Part], options: ExportOptions) -> bool:

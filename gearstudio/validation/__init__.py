@@ -68,10 +68,11 @@ def format_issue(data: object) -> Issue | None:
         return Issue(
             "other_format",
             "format",
-            f"format {shown(value)} is newer than this program understands; it reads format {FORMAT}",
+            f"{shown(value)} is newer than format {FORMAT}, which this GearStudio reads; update GearStudio to open the "
+            "file, in which nothing was changed",
         )
     if value < FORMAT:
-        return Issue("other_format", "format", f"format {shown(value)} is unknown; this program reads format {FORMAT}")
+        return Issue("other_format", "format", f"{shown(value)} is unknown; this GearStudio reads format {FORMAT}")
     return None
 
 

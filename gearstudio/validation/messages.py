@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Iterable, Mapping, Sequence
 from difflib import SequenceMatcher
 
@@ -10,6 +11,7 @@ from gearstudio.design import FieldSpec, all_field_specs
 from gearstudio.errors import Issue
 
 _LONGEST_ECHO = 40
+_NUMBER = re.compile(r"[+-]?\d{1,15}([.,]\d{1,15})?", re.ASCII)
 
 
 def shown(value: object) -> str:
@@ -41,6 +43,11 @@ def field_issue(spec: FieldSpec, value: object) -> Issue:
     if spec.kind == "text":
         return Issue("not_a_line", spec.path, f"{shown(value)} cannot be a {spec.title.lower()}; {remedy}")
     noun = "whole number" if spec.kind == "int" else "number"
+    if isinstance(value, str) and not value.strip():
+        return Issue("empty_value", spec.path, f"the value is empty; {remedy}")
+    if isinstance(value, str) and _NUMBER.fullmatch(value.strip()):
+        text = f"{shown(value)} is a text; {remedy}, with a point and without quotation marks"
+        return Issue("not_a_number", spec.path, text)
     if isinstance(value, bool) or not isinstance(value, int | float):
         return Issue("not_a_number", spec.path, f"{shown(value)} is not a {noun}; {remedy}")
     if isinstance(value, float) and not math.isfinite(value):

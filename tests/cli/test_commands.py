@@ -288,9 +288,10 @@ def test_wrong_arguments_are_one_line_and_status_2(argv: list[str], run: Any) ->
 
 
 def test_a_file_that_cannot_be_written_is_one_line(run: Any, tmp_path: Path) -> None:
-    status, _, problems = run("info", "preset:default", "--json", tmp_path / "none" / "a.json")
+    missing = tmp_path / "none" / "a.json"
+    status, _, problems = run("info", "preset:default", "--json", missing)
     assert status == 2
-    assert problems == [f"{tmp_path / 'none' / 'a.json'}: there is no such file or folder"]
+    assert problems == [f"{missing}: there is no such file or folder; choose another folder, or make this one first"]
 
 
 def test_an_unexpected_failure_is_one_line_and_a_log(run: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

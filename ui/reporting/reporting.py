@@ -11,7 +11,7 @@ from gearstudio.errors import FileError
 from gearstudio.words import ENGLISH
 from ui.reporting.dialog import ReportDialog
 from ui.reporting.pictures import ReportPictures
-from ui.words import tr
+from ui.words import told, tr
 
 if TYPE_CHECKING:
     from gearstudio.catalogue import MemberName
@@ -132,7 +132,7 @@ class Reporting(QObject):
             write_bytes(path, pdf)
         except FileError as error:
             if self.dialog is not None:
-                self.dialog.show_failure(str(error))
+                self.dialog.show_failure(told(error))
             return
         messages.show_message(
             "info", tr("Wrote {name} to {folder}", name=path.name, folder=path.parent), topic="report"
@@ -154,7 +154,7 @@ class Reporting(QObject):
     def _on_failed(self, job: Job, text: str, _details: str) -> None:
         if job is self._job and self.dialog is not None:
             self._job = None
-            self.dialog.show_failure(tr("The report could not be made: {reason}", reason=text))
+            self.dialog.show_failure(tr("The report could not be made: {reason}", reason=told(text)))
 
     def _on_cancelled(self, job: Job) -> None:
         if job is self._job and self.dialog is not None:

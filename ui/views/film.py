@@ -11,7 +11,7 @@ import numpy as np
 from PySide6.QtGui import QImage
 
 from gearstudio.errors import FileError
-from gearstudio.files import named_errors
+from gearstudio.files import named_errors, why_not_written
 
 KINDS = {".mp4": "libx264", ".gif": "gif"}
 _PALETTE = "split[a][b];[a]palettegen=stats_mode=diff[p];[b][p]paletteuse=dither=bayer:bayer_scale=4"
@@ -65,14 +65,14 @@ class Film:
         try:
             self._writer.send(np.ascontiguousarray(rows[:, : 3 * image.width()]))
         except OSError as error:
-            raise FileError(self._path, "the film could not be encoded; the disk may be full") from error
+            raise self._failure() from error
 
     def finish(self) -> None:
         """Wait for the encoder and put the film in its place; raises FileError."""
         self._writer.close()
         with named_errors(self._path):
             if not self._unfinished.exists() or self._unfinished.stat().st_size == 0:
-                raise FileError(self._path, "the film could not be encoded")
+                raise self._failure()
             os.replace(self._unfinished, self._path)
 
     def give_up(self) -> None:
@@ -81,3 +81,8 @@ class Film:
             self._writer.close()
         with contextlib.suppress(OSError):
             self._unfinished.unlink()
+
+    def _failure(self) -> FileError:
+        """Why the encoder gave up, as far as the disk is to blame."""
+        text = "the film could not be encoded; try a smaller picture, or the other kind of file"
+        return FileError(self._path, why_not_written(self._unfinished, text))

@@ -24,7 +24,7 @@ from gearstudio.errors import FileError
 from ui.views.picture_files import write_picture
 from ui.views.pictures import PictureOptions, Steps, painted, stand_in
 from ui.views.quiet import QuietChoice
-from ui.words import tr
+from ui.words import told, tr
 
 if TYPE_CHECKING:
     from ui.main_window import MainWindow
@@ -149,7 +149,7 @@ class PictureDialog(QDialog):
         try:
             write_picture(self._target, picture)
         except FileError as error:
-            self._window.messages.show_message("error", str(error), topic="file")
+            self._window.messages.show_message("error", told(error), topic="file")
             return
         self._window.messages.show_message("info", tr("Saved the picture as {path}", path=self._target), topic="file")
         self.accept()
