@@ -14,7 +14,7 @@ from gearstudio.theory.flank import FLANKS
 from gearstudio.theory.hypoid.design import hypoid_of
 from gearstudio.theory.hypoid.inputs import HypoidError
 from gearstudio.theory.hypoid.pair import HypoidPair
-from gearstudio.theory.hypoid.soundness import trouble
+from gearstudio.theory.hypoid.undercut import trouble
 from gearstudio.theory.modified import flank_of
 from gearstudio.validation.fillet_rules import FILLETS, RESIZED
 from gearstudio.validation.nearest import cure

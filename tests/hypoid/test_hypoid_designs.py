@@ -22,7 +22,7 @@ from gearstudio.exchange.points import point_cloud
 from gearstudio.presets import PRESETS
 from gearstudio.project import design_text
 from gearstudio.theory.cones import pair_geometry
-from gearstudio.theory.flank import FLANKS
+from gearstudio.theory.flank import FLANKS, InvoluteFlank
 from gearstudio.theory.hypoid.conjugate import pinion_flank
 from gearstudio.theory.hypoid.design import hypoid_input
 from gearstudio.theory.hypoid.inputs import HypoidInput
@@ -148,8 +148,8 @@ def test_methods_on_members_with_offset_axes(key: str, member: str) -> None:
     assert line.settings["line"] == "best fit"
     pair = pair_geometry(OFFSETS[key])
     assert pair.hypoid is not None
-    touching = [pinion_flank(pair.hypoid, name) for name in FLANKS]
-    own = max(np.abs(flank.touching.deviation(flank.points(U, V))).max() for flank in touching) * 1e3
+    conjugate = [pinion_flank(pair.hypoid, name) for name in FLANKS]
+    own = max(np.abs(InvoluteFlank(f.member, f.side).deviation(f.points(U, V))).max() for f in conjugate) * 1e3
     assert 5.0 < line.statistics.max_um < 0.5 * own
 
 

@@ -18,7 +18,7 @@ from gearstudio.theory.hypoid.envelope import Envelope
 from gearstudio.theory.hypoid.inverse import Guess, generating_point
 from gearstudio.theory.hypoid.pair import HypoidPair
 from gearstudio.theory.hypoid.reach import Reach, reach_of
-from gearstudio.theory.hypoid.second import derivatives, principal_curvatures
+from gearstudio.theory.hypoid.second import derivatives
 from gearstudio.theory.vectors import dot, quarter, spherical
 
 Floats = NDArray[np.float64]
@@ -44,9 +44,6 @@ class ConjugateFlank:
         The pinion; its base cone is that of the reference `swept`.
     side : {+1, -1}
     envelope : Envelope
-    raised : float
-        Height over the wheel's face cone of the cone whose image is the lower edge [mm]: more than 0 carries the
-        flank on below the start of contact, towards the root.
     lower : StartOfContact or None
         Another lower edge, as that of a fillet.
     alike : ConjugateFlank or None
@@ -56,7 +53,6 @@ class ConjugateFlank:
     member: MemberGeometry
     side: int
     envelope: Envelope
-    raised: float = 0.0
     lower: StartOfContact | None = None
     alike: ConjugateFlank | None = field(default=None, repr=False, compare=False)
 
@@ -74,11 +70,6 @@ class ConjugateFlank:
     def swept(self) -> InvoluteFlank:
         """The nearest flank that one rigid line sweeps, on base cone and line of its own (`best_line.best_line`)."""
         return best_line(self)
-
-    @property
-    def touching(self) -> InvoluteFlank:
-        """The involute flank on a base cone of its own that touches this one at the mean point: a reference."""
-        return InvoluteFlank(self.member, self.side)
 
     def limits(self, v: ArrayLike) -> tuple[Floats, Floats]:
         """Polar angles of start of contact and tip at places v along the face, (...) each [rad]."""
@@ -154,13 +145,6 @@ class ConjugateFlank:
         psi, rho = np.broadcast_arrays(np.asarray(psi, dtype=np.float64), np.asarray(rho, dtype=np.float64))
         return derivatives(self.envelope, psi, rho)
 
-    def curvatures_at(self, psi: ArrayLike, rho: ArrayLike, /) -> tuple[Floats, Floats]:
-        """Principal curvatures in closed form, the larger first, positive where convex [1/mm], (...) each."""
-        p = self.envelope.at(psi, rho)
-        mixed = (dot(p.normal_by_psi, p.by_rho) + dot(p.normal_by_rho, p.by_psi)) / 2
-        bent = dot(p.normal_by_psi, p.by_psi), mixed, dot(p.normal_by_rho, p.by_rho)
-        return principal_curvatures(p.by_psi, p.by_rho, bent)
-
     def locate(self, points: ArrayLike) -> tuple[Floats, Floats, Floats]:
         """Spherical coordinates rho [mm], delta_k [rad], phi [rad] about the pinion's pitch apex, (...) each."""
         return spherical(points)
@@ -221,7 +205,7 @@ class ConjugateFlank:
     def _start(self) -> StartOfContact:
         if self.lower is not None:
             return self.lower
-        return start_of_contact(self.envelope, self.member, self.raised) if self.alike is None else self.alike._start
+        return start_of_contact(self.envelope, self.member) if self.alike is None else self.alike._start
 
     @cached_property
     def _reach(self) -> Reach:
@@ -281,17 +265,17 @@ def wheel_flank(pair: HypoidPair, name: FlankName) -> InvoluteFlank:
 
 
 @lru_cache(maxsize=_KEPT)
-def _shape(pair: HypoidPair, name: FlankName, raised: float) -> ConjugateFlank:
+def _shape(pair: HypoidPair, name: FlankName) -> ConjugateFlank:
     """The flank that has the tables of all that differ from it in thickness and fillets alone."""
-    return _made(pair, name, raised)
+    return _made(pair, name)
 
 
-def _made(pair: HypoidPair, name: FlankName, raised: float) -> ConjugateFlank:
+def _made(pair: HypoidPair, name: FlankName) -> ConjugateFlank:
     side = pair.side("pinion", name)
-    return ConjugateFlank(pair.member("pinion", name), side, envelope(pair, side), raised)
+    return ConjugateFlank(pair.member("pinion", name), side, envelope(pair, side))
 
 
-def pinion_flank(pair: HypoidPair, name: FlankName, raised: float = 0.0) -> ConjugateFlank:
-    """The pinion's conjugate flank, not looked at for undercut: `soundness.sound_pinion_flank` refuses that."""
+def pinion_flank(pair: HypoidPair, name: FlankName) -> ConjugateFlank:
+    """The pinion's conjugate flank, not looked at for undercut: `undercut.trouble` tells of that."""
     bare = replace(pair, given=replace(pair.given, backlash=0.0, fillet_factor=0.0))
-    return replace(_made(pair, name, raised), alike=_shape(bare, name, raised))
+    return replace(_made(pair, name), alike=_shape(bare, name))

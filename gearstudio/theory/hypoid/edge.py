@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.polynomial import chebyshev
@@ -44,8 +44,8 @@ class StartOfContact:
         return np.asarray(chebyshev.chebval((v - 0.5) / (0.5 + self.beyond), self.coefficients))
 
 
-def start_of_contact(envelope: Envelope, pinion: MemberGeometry, raised: float = 0.0) -> StartOfContact:
-    """Fit the image of the wheel's face cone, or of a cone raised over it by a height [mm].
+def start_of_contact(envelope: Envelope, pinion: MemberGeometry) -> StartOfContact:
+    """Fit the image of the wheel's face cone.
 
     Raises
     ------
@@ -53,24 +53,24 @@ def start_of_contact(envelope: Envelope, pinion: MemberGeometry, raised: float =
         The image folds back or does not reach over the pinion's face.
     """
     try:
-        return _fitted(envelope, pinion, raised, _BEYOND)
+        return _fitted(envelope, pinion, _BEYOND)
     except GeometryError:
-        return _fitted(envelope, pinion, raised, _LEAST_BEYOND)
+        return _fitted(envelope, pinion, _LEAST_BEYOND)
 
 
-def _fitted(envelope: Envelope, pinion: MemberGeometry, raised: float, beyond: float) -> StartOfContact:
+def _fitted(envelope: Envelope, pinion: MemberGeometry, beyond: float) -> StartOfContact:
     nodes = chebyshev.chebpts1(_NODES)
     v = 0.5 + (0.5 + beyond) * nodes
-    rho = _on_face_cone(envelope, pinion, pinion.inner_cone_distance + v * pinion.face_width, raised)
-    point, _ = face_cone_image(envelope, rho, raised)
+    rho = _on_face_cone(envelope, pinion, pinion.inner_cone_distance + v * pinion.face_width)
+    point, _ = face_cone_image(envelope, rho)
     delta = np.arctan2(np.hypot(point[..., 0], point[..., 1]), point[..., 2])
     return StartOfContact(np.asarray(chebyshev.chebfit(nodes, delta, _NODES - 1), dtype=np.float64), beyond)
 
 
-def face_cone_image(envelope: Envelope, rho: Floats, raised: float = 0.0) -> tuple[Floats, Floats]:
+def face_cone_image(envelope: Envelope, rho: Floats) -> tuple[Floats, Floats]:
     """Pinion points that the wheel's tip at cone distances rho [mm] generates, and their derivatives by rho."""
     wheel = envelope.wheel.member
-    tip = replace(wheel.tip_limit, offset=wheel.tip_limit.offset + raised)
+    tip = wheel.tip_limit
     delta = tip.at_sphere(rho)
     psi = roll_arc(delta, wheel.base_angle)
     # cos(psi) = cos(delta) / cos(delta_b), sin(delta - angle) = offset / rho
@@ -80,7 +80,7 @@ def face_cone_image(envelope: Envelope, rho: Floats, raised: float = 0.0) -> tup
     return point, by_rho + by_psi * slope[..., None]
 
 
-def _on_face_cone(envelope: Envelope, pinion: MemberGeometry, wanted: Floats, raised: float) -> Floats:
+def _on_face_cone(envelope: Envelope, pinion: MemberGeometry, wanted: Floats) -> Floats:
     """Cone distances on the wheel's tip whose images lie on the pinion's end surfaces wanted [mm]."""
     wheel = envelope.wheel.member
     middle = wheel.lengthwise.mean_cone_distance
@@ -88,7 +88,7 @@ def _on_face_cone(envelope: Envelope, pinion: MemberGeometry, wanted: Floats, ra
     rho = np.clip(middle + (wanted - pinion.lengthwise.mean_cone_distance), near, far)
     longest = 0.2 * middle
     for _ in range(_STEPS):
-        point, slope = face_cone_image(envelope, rho, raised)
+        point, slope = face_cone_image(envelope, rho)
         radius, distance = np.hypot(point[..., 0], point[..., 1]), np.sqrt(dot(point, point))
         place = pinion.end_distance(distance, np.arctan2(radius, point[..., 2]))
         if pinion.ends == "sphere":

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import asin, atan, atan2, cos, pi, sin, tan
 
 from gearstudio.theory.hypoid.inputs import HypoidError, HypoidInput
@@ -26,12 +25,6 @@ def method_0(given: HypoidInput) -> PitchCones:
     return assemble(given, Touching(pinion, wheel, spiral, spiral, 0.0, 0.0), radius)
 
 
-@dataclass(frozen=True)
-class _Iterate:
-    touching: Touching
-    pinion_radius: float
-
-
 def method_1(given: HypoidInput, tolerance: float = 1e-12) -> PitchCones:
     """Cones by the recursion of Method 1, on the angle eta until the limit radius is the cutter's.
 
@@ -52,7 +45,7 @@ def method_1(given: HypoidInput, tolerance: float = 1e-12) -> PitchCones:
     start = _start_eta(given, wheel_start, radius)
 
     def cones(eta: float) -> PitchCones:
-        return assemble(given, _step(given, radius, eta, wheel_start).touching, radius)
+        return assemble(given, _step(given, radius, eta, wheel_start), radius)
 
     def excess(eta: float) -> float:
         try:
@@ -93,7 +86,7 @@ def _start_eta(given: HypoidInput, wheel_start: float, radius: float) -> float:
     return atan(given.offset / (radius * (tan(wheel_start) * cos(tilt) - sin(tilt)) + pinion_radius))
 
 
-def _step(given: HypoidInput, radius: float, eta: float, wheel_start: float) -> _Iterate:
+def _step(given: HypoidInput, radius: float, eta: float, wheel_start: float) -> Touching:
     """One pass of the recursion at a trial eta: every iterate touches exactly, relations (a) to (e)."""
     tilt = given.shaft_angle_deg * pi / 180 - pi / 2
     spiral, widening, pinion_radius = _wanted(given, wheel_start, radius)
@@ -108,5 +101,4 @@ def _step(given: HypoidInput, radius: float, eta: float, wheel_start: float) -> 
     plane = asin(sin(first) * cos(tilt) / cos(pinion))
     pinion_spiral = atan((widening + more - cos(plane)) / sin(plane))
     wheel = atan(sin(first) / (tan(eta) * cos(tilt)) + cos(first) * tan(tilt))
-    touching = Touching(pinion, wheel, pinion_spiral, pinion_spiral - plane, first, plane)
-    return _Iterate(touching, pinion_radius + grown)
+    return Touching(pinion, wheel, pinion_spiral, pinion_spiral - plane, first, plane)

@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from gearstudio.theory.hypoid.conjugate import ConjugateFlank
 from gearstudio.theory.hypoid.envelope import PinionPoint
-from gearstudio.theory.hypoid.second import derivatives, principal_curvatures
+from gearstudio.theory.hypoid.second import derivatives
 from gearstudio.theory.relief import FlankRelief
 from gearstudio.theory.vectors import cross, dot, quarter, turned, turned_derivatives, unit
 
@@ -39,7 +39,7 @@ class ModifiedConjugate(ConjugateFlank):
     @property
     def plain(self) -> ConjugateFlank:
         """The flank without micro-geometry."""
-        return ConjugateFlank(self.member, self.side, self.envelope, self.raised, self.lower, self.alike)
+        return ConjugateFlank(self.member, self.side, self.envelope, self.lower, self.alike)
 
     def turning(self, psi: ArrayLike, rho: ArrayLike) -> Floats:
         """Azimuth by which metal taken off turns the point at natural coordinates [rad/mm]."""
@@ -64,12 +64,6 @@ class ModifiedConjugate(ConjugateFlank):
             _differences([_turning_slopes(self.envelope.at(psi, rho + k * length)) for k in _PLACES], length)[1],
         )
         return turned_derivatives(made.point, by, self._shift(made, by, twice))
-
-    def curvatures_at(self, psi: ArrayLike, rho: ArrayLike, /) -> tuple[Floats, Floats]:
-        """Principal curvatures, the larger first, positive where convex [1/mm], (...) each."""
-        a, b, aa, ab, bb = self.derivatives_at(psi, rho)
-        normal = self.normals_at(psi, rho)
-        return principal_curvatures(a, b, (-dot(aa, normal), -dot(ab, normal), -dot(bb, normal)))
 
     def _surface(self, psi: Floats, rho: Floats) -> tuple[Floats, Floats]:
         made = self.envelope.at(psi, rho)

@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 
 from gearstudio.theory.hypoid.envelope import Envelope, WheelPoint
 from gearstudio.theory.involute import tangent_plane
-from gearstudio.theory.vectors import cross, dot, quarter, turned
+from gearstudio.theory.vectors import cross, quarter, turned
 
 Floats = NDArray[np.float64]
 Pairs = tuple[Floats, Floats, Floats]
@@ -63,16 +63,6 @@ def derivatives(envelope: Envelope, psi: Floats, rho: Floats) -> tuple[Floats, F
     wheel_turn = envelope.turn_of_wheel(turn)
     own = [envelope.to_pinion(x, wheel_turn) for x in (*first, *second)]
     return own[0], own[1], own[2], own[3], own[4]
-
-
-def principal_curvatures(by_first: Floats, by_second: Floats, bent: Pairs) -> tuple[Floats, Floats]:
-    """The larger and the smaller curvature [1/mm] of a surface with two derivatives and a second form L, M, N."""
-    E, F, G = dot(by_first, by_first), dot(by_first, by_second), dot(by_second, by_second)
-    L, M, N = bent
-    square = E * G - F * F
-    mean, gaussian = (E * N - 2 * F * M + G * L) / (2 * square), (L * N - M * M) / square
-    spread = np.sqrt(np.maximum(mean**2 - gaussian, 0.0))
-    return mean + spread, mean - spread
 
 
 def _turns(envelope: Envelope, w: WheelPoint, twice: _Twice) -> tuple[Floats, tuple[Floats, Floats], Pairs]:

@@ -1,12 +1,14 @@
-"""Undercut of the pinion: where the conjugate flank folds back."""
+"""Undercut of the pinion, where the conjugate flank folds back, and what else keeps it from being a flank."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
+from math import degrees
 
 import numpy as np
 
-from gearstudio.theory.hypoid.conjugate import envelope
+from gearstudio.errors import GeometryError
+from gearstudio.theory.hypoid.conjugate import envelope, pinion_flank
 from gearstudio.theory.hypoid.pair import HypoidPair
 from gearstudio.theory.involute import roll_arc
 
@@ -42,15 +44,13 @@ class Undercut:
         return self.area_ratio > LEAST_AREA_RATIO
 
 
-def worst_place(pair: HypoidPair, side: int, raised: float = 0.0) -> Undercut:
+def worst_place(pair: HypoidPair, side: int) -> Undercut:
     """Where the pinion's flank on a side is nearest to undercut, or beyond.
 
     Parameters
     ----------
     pair : HypoidPair
     side : {+1, -1}
-    raised : float
-        As of `ConjugateFlank`.
 
     Notes
     -----
@@ -61,7 +61,7 @@ def worst_place(pair: HypoidPair, side: int, raised: float = 0.0) -> Undercut:
     wheel = generator.wheel.member
     beyond = _BEYOND * wheel.face_width
     rho = np.linspace(wheel.inner_cone_distance - beyond, wheel.outer_cone_distance + beyond, _ALONG)
-    tip = replace(wheel.tip_limit, offset=wheel.tip_limit.offset + raised).at_sphere(rho)
+    tip = wheel.tip_limit.at_sphere(rho)
     root = np.maximum(wheel.root_limit.at_sphere(rho), wheel.base_angle)
     psi = roll_arc(root, wheel.base_angle)
     share = np.linspace(0.0, 1.0, _ACROSS)[:, None] ** 0.5
@@ -73,3 +73,26 @@ def worst_place(pair: HypoidPair, side: int, raised: float = 0.0) -> Undercut:
     ratio = np.where(inside, made.area_ratio, np.inf)
     worst = np.unravel_index(np.argmin(ratio), ratio.shape)
     return Undercut(side, float(ratio[worst]), float(distance[worst]), float(delta[worst]), float(place[worst]))
+
+
+def trouble(pair: HypoidPair, side: int) -> str | None:
+    """What is wrong with the pinion's flank on a side, or None."""
+    worst = worst_place(pair, side)
+    if not worst.harmless:
+        end = "toe" if worst.place < 1 / 3 else "heel" if worst.place > 2 / 3 else "middle"
+        return (
+            f"is undercut near the {end}, {worst.rho:.5g} mm from the pitch apex, polar angle "
+            f"{degrees(worst.polar_angle):.5g}° (area ratio {worst.area_ratio:.3g}, must exceed {LEAST_AREA_RATIO:g})"
+        )
+    flank = pinion_flank(pair, pair.flank_name("pinion", side))
+    wheel = flank.envelope.wheel.member
+    tips = wheel.limit_angle(wheel.tip_limit, np.array([wheel.inner_cone_distance, wheel.outer_cone_distance]))
+    if np.min(tips) <= wheel.base_angle:
+        return "has nothing to mesh with at an end, where the wheel's tips lie inside its base cone"
+    try:
+        psi, _ = flank.coordinates(np.linspace(0.0, 1.0, 5)[:, None], np.linspace(0.0, 1.0, 7))
+    except GeometryError as error:
+        return f"does not reach everywhere: {error}"
+    if np.min(psi) < 0:
+        return "meets the wheel inside its base cone with its tips"
+    return None

@@ -11,9 +11,11 @@ from typing import Any
 import numpy as np
 
 from gearstudio.errors import GeometryError
-from gearstudio.theory.hypoid.inputs import DepthInput, HypoidInput
-from gearstudio.theory.hypoid.pair import HypoidPair
-from gearstudio.theory.hypoid.soundness import sound_pair
+from gearstudio.theory.flank import FLANKS
+from gearstudio.theory.hypoid.conjugate import pinion_flank, wheel_flank
+from gearstudio.theory.hypoid.inputs import DepthInput, HypoidError, HypoidInput, MemberName
+from gearstudio.theory.hypoid.pair import HypoidPair, hypoid_pair
+from gearstudio.theory.hypoid.undercut import trouble
 
 Record = dict[str, Any]
 REFERENCE: list[Record] = json.loads((Path(__file__).parents[2] / "data" / "hypoid.json").read_text(encoding="utf-8"))[
@@ -64,6 +66,28 @@ PRESETS = {
     "all-wheel drive, 80°": HypoidInput(13, 37, 15.0, 170.0, 27.0, 42.0, 76.2, shaft_angle_deg=80.0, backlash=0.12),
     "pinion on the other side": HypoidInput(13, 42, -10.0, 170.0, 30.0, 30.0, 76.2, pinion_hand="right", backlash=0.12),
 }
+
+
+def sound_pair(given: HypoidInput) -> HypoidPair:
+    """A pair whose conjugate flanks are both regular and whose teeth have tips; a HypoidError if there is none."""
+    pair = hypoid_pair(given)
+    for side in (1, -1):
+        wrong = trouble(pair, side)
+        if wrong is not None:
+            raise HypoidError("depth.mean_addendum_factor", f"a flank of the pinion {wrong}")
+    if min(least_top_land(pair, "pinion"), least_top_land(pair, "wheel")) <= 0:
+        raise HypoidError("depth.mean_addendum_factor", "the teeth are pointed")
+    return pair
+
+
+def least_top_land(pair: HypoidPair, name: MemberName) -> float:
+    """Narrowest place of a member's tip, along its circle from flank to flank [mm]; not positive is pointed."""
+    v = np.linspace(0.0, 1.0, 7)
+    widths = []
+    for flank in FLANKS:
+        edge = (wheel_flank(pair, flank) if name == "wheel" else pinion_flank(pair, flank)).points(1.0, v)
+        widths.append(np.hypot(edge[:, 0], edge[:, 1]) * pair.side(name, flank) * np.arctan2(edge[:, 1], edge[:, 0]))
+    return float(np.min(widths[0] + widths[1]))
 
 
 def random_pairs(count: int, seed: int) -> list[HypoidPair]:

@@ -9,8 +9,7 @@ import pytest
 
 from gearstudio.theory.hypoid.inputs import HypoidInput
 from gearstudio.theory.hypoid.pair import HypoidPair
-from gearstudio.theory.hypoid.soundness import sound_pair
-from tests.theory.hypoid.pairs import PAIRS, PRESETS, random_pairs
+from tests.theory.hypoid.pairs import PAIRS, PRESETS, random_pairs, sound_pair
 from tests.theory.hypoid.rolling import ARCSEC, roll
 
 

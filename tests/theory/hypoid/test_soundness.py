@@ -1,47 +1,47 @@
-"""Undercut and pointed teeth: found where rolling shows interference, and cured by what the message says."""
+"""Undercut, pointed teeth and tips inside a base cone: found up to where they end."""
 
 from __future__ import annotations
 
-import re
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
 
-from gearstudio.theory.hypoid.conjugate import envelope
+from gearstudio.theory.hypoid.conjugate import envelope, pinion_flank
 from gearstudio.theory.hypoid.inputs import DepthInput, HypoidError, HypoidInput
 from gearstudio.theory.hypoid.pair import hypoid_pair
-from gearstudio.theory.hypoid.soundness import is_sound, least_top_land, sound_pair, sound_pinion_flank
-from gearstudio.theory.hypoid.undercut import worst_place
-from tests.theory.hypoid.pairs import AXLE, REFERENCE, reference_input
+from gearstudio.theory.hypoid.undercut import trouble, worst_place
+from tests.theory.hypoid.pairs import AXLE, REFERENCE, least_top_land, reference_input, sound_pair
 
 EVEN = DepthInput(mean_addendum_factor=0.5)
-UNDERCUT = [
-    HypoidInput(5, 37, 20.0, 225.0, 34.0, 50.0, 88.9, depth=EVEN),
-    HypoidInput(6, 41, -15.0, 225.0, 34.0, 35.0, 114.3, depth=EVEN, pinion_hand="right"),
-    HypoidInput(7, 43, 0.0, 225.0, 34.0, 0.0, 88.9, depth=EVEN, curve="archimedean"),
+UNDERCUT: list[tuple[HypoidInput, dict[str, float]]] = [
+    (HypoidInput(5, 37, 20.0, 225.0, 34.0, 50.0, 88.9, depth=EVEN), {"mean_addendum_factor": 0.44}),
+    (
+        HypoidInput(6, 41, -15.0, 225.0, 34.0, 35.0, 114.3, depth=EVEN, pinion_hand="right"),
+        {"mean_addendum_factor": 0.28},
+    ),
+    (
+        HypoidInput(7, 43, 0.0, 225.0, 34.0, 0.0, 88.9, depth=EVEN, curve="archimedean"),
+        {"depth_factor": 1.8, "mean_addendum_factor": 0.2},
+    ),
 ]
+"""Pairs with undercut, and depths with which they have none."""
 
 
-def cured(given: HypoidInput, message: str) -> HypoidInput:
-    """The design with what the message offers."""
-    offered = {
-        "mean_addendum_factor": r"mean addendum factor of ([\d.]+)",
-        "depth_factor": r"a depth factor of ([\d.]+)",
-    }
-    depth = {key: float(m[1].rstrip(".")) for key, text in offered.items() if (m := re.search(text, message))}
-    angle = re.search(r"a pressure angle of ([\d.]+)", message)
-    given = replace(given, depth=replace(given.depth, **depth))
-    return replace(given, pressure_angle_deg=float(angle[1])) if angle else given
+def deeper(given: HypoidInput, **depth: Any) -> HypoidInput:
+    """The pair with other depths."""
+    return replace(given, depth=replace(given.depth, **depth))
 
 
-@pytest.mark.parametrize("given", UNDERCUT)
-def test_undercut_is_found_and_cured(given: HypoidInput) -> None:
+@pytest.mark.parametrize(("given", "cure"), UNDERCUT)
+def test_undercut_is_found(given: HypoidInput, cure: dict[str, float]) -> None:
     pair = hypoid_pair(given)
-    assert not is_sound(pair)
-    with pytest.raises(HypoidError, match="undercut near the") as caught:
-        sound_pinion_flank(pair, "concave")
-    sound = sound_pair(cured(given, str(caught.value)))
+    wrong = trouble(pair, pair.side("pinion", "concave"))
+    assert wrong is not None and "undercut near the" in wrong
+    with pytest.raises(HypoidError, match="undercut near the"):
+        sound_pair(deeper(given, mean_addendum_factor=cure["mean_addendum_factor"] + 0.05))
+    sound = sound_pair(deeper(given, **cure))
     assert min(worst_place(sound, side).area_ratio for side in (1, -1)) > 0
 
 
@@ -56,26 +56,28 @@ def test_reference_pairs_are_sound(record: dict[str, object]) -> None:
 
 def test_worst_place_is_the_smallest_ratio() -> None:
     pair = hypoid_pair(AXLE)
-    flank = sound_pinion_flank(pair, "concave")
+    flank = pinion_flank(pair, "concave")
+    assert trouble(pair, flank.side) is None
     u, v = np.meshgrid(np.linspace(0, 1, 41), np.linspace(0, 1, 61))
     ratio = flank.envelope.at(*flank.coordinates(u, v)).area_ratio
     assert worst_place(pair, flank.side).area_ratio == pytest.approx(ratio.min(), rel=0.02)
 
 
-def test_pointed_teeth_are_refused() -> None:
+def test_pointed_teeth_are_pointed() -> None:
     given = replace(AXLE, pressure_angle_deg=30.0, depth=DepthInput(mean_addendum_factor=0.05, depth_factor=2.4))
     assert least_top_land(hypoid_pair(given), "pinion") < 0
-    with pytest.raises(HypoidError, match="pointed") as caught:
-        sound_pair(given)
-    sound_pair(cured(given, str(caught.value)))
+    with pytest.raises(HypoidError, match="pointed"):
+        sound_pair(deeper(given, mean_addendum_factor=0.35))
+    sound_pair(deeper(given, mean_addendum_factor=0.36))
 
 
-@pytest.mark.parametrize("offset", [5.0, -5.0, 0.0])
-def test_tips_that_reach_inside_the_wheels_base_cone(offset: float) -> None:
+@pytest.mark.parametrize(("offset", "cure"), [(5.0, 0.34), (-5.0, 0.21), (0.0, 0.05)])
+def test_tips_that_reach_inside_the_wheels_base_cone(offset: float, cure: float) -> None:
     given = HypoidInput(15, 16, offset, 100.0, 15.0, 10.0, 60.0, depth=DepthInput(mean_addendum_factor=0.0))
-    with pytest.raises(HypoidError, match="inside its base cone with its tips") as caught:
-        sound_pair(given)
-    sound_pair(cured(given, str(caught.value)))
+    for factor in (0.0, cure - 0.01):
+        with pytest.raises(HypoidError, match="inside its base cone with its tips"):
+            sound_pair(deeper(given, mean_addendum_factor=factor))
+    sound_pair(deeper(given, mean_addendum_factor=cure))
 
 
 def test_wheels_base_cone_is_no_undercut() -> None:
