@@ -9,9 +9,9 @@ from PySide6.QtCore import QPoint, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QImage, QLinearGradient, QPainter
 from PySide6.QtWidgets import QWidget
 
-from ui.color_bar import ColorBar
 from ui.theme import DARK, LIGHT
 from ui.view_grid import ViewGrid
+from ui.views.color_scale import ColorScale
 from ui.views.panes import Tile
 from ui.views.still import StillViewport
 
@@ -64,14 +64,14 @@ def lay_out(grid: ViewGrid, size: QSize) -> None:
     grid.place_overlays()
 
 
-def painted(grid: ViewGrid, bar: ColorBar | None, options: PictureOptions) -> Steps:
+def painted(grid: ViewGrid, bar: ColorScale | None, options: PictureOptions) -> Steps:
     """Paint a stand-in, tile by tile; yields how far it is and returns the picture.
 
     Parameters
     ----------
     grid : ViewGrid
         With a `StillViewport`; its size is that of the layout, without the colour scale.
-    bar : ColorBar or None
+    bar : ColorScale or None
         The colour scale to put to the right.
     options : PictureOptions
 
@@ -98,7 +98,7 @@ def painted(grid: ViewGrid, bar: ColorBar | None, options: PictureOptions) -> St
 
 
 def _paint(
-    painter: QPainter, grid: ViewGrid, viewport: StillViewport, side: ColorBar | None, options: PictureOptions
+    painter: QPainter, grid: ViewGrid, viewport: StillViewport, side: ColorScale | None, options: PictureOptions
 ) -> Generator[float, None, None]:
     size, scale = grid.size(), options.scale
     painter.setRenderHints(QPainter.RenderHint.Antialiasing | QPainter.RenderHint.SmoothPixmapTransform)
@@ -132,9 +132,9 @@ def at_once(steps: Steps) -> QImage:
             return end.value  # type: ignore[no-any-return]
 
 
-def picture_bar(bar: ColorBar, height: int, dark: bool) -> ColorBar:
-    """A colour scale like another one, for a picture: without its button, in letters that suit the picture's ground."""
-    made = ColorBar()
+def picture_bar(bar: ColorScale, height: int, dark: bool) -> ColorScale:
+    """A colour scale like another one, for a picture: in letters that suit the picture's ground."""
+    made = ColorScale()
     made.setStyleSheet(f"QWidget {{ color: {(DARK if dark else LIGHT).text}; }}")
     made.show_like(bar)
     made.setFixedSize(made.sizeHint().width(), height)
