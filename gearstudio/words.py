@@ -12,9 +12,17 @@ from dataclasses import dataclass
 
 ENGLISH = "en"
 LANGUAGES = (ENGLISH, "de", "zh")
+POINT = "."
+DECIMALS = {"de": ","}
+"""Decimal signs of the languages that write another one than the point."""
 _HOLE = re.compile(r"\{(\d+)\}")
 _LETTER = re.compile(r"[A-Za-z]{2}")
 _DEEPEST, _FEW = 8, 6
+_NUMBER = re.compile(
+    r"“[^“”\n]*”|„[^„“\n]*“|\"[^\"\n]*\""  # what somebody else wrote
+    r"|(?<![\w.)])(?:[A-Za-z]:)?[\\/][^\n“”\"]*?\.[A-Za-z]\w*(?!\w|\.\w)"  # a path
+    r"|(?<![\w.,])(?P<whole>[-−]?\d+)\.(?P<rest>\d+(?:[eE][-+−]?\d+)?)(?!\w|\.\w)"
+)
 Said = Callable[[str], str]
 """From an English text to what is said instead; the text itself where nothing is known."""
 
@@ -22,6 +30,13 @@ Said = Callable[[str], str]
 def noted(text: str, /) -> str:
     """The text as it is: marks a literal that is translated where it is shown."""
     return text
+
+
+def with_decimal(text: str, decimal: str) -> str:
+    """The numbers of a text with a language's decimal sign; versions, paths and what stands in quotes stay."""
+    if decimal == POINT:
+        return text
+    return _NUMBER.sub(lambda found: f"{found['whole']}{decimal}{found['rest']}" if found["whole"] else found[0], text)
 
 
 JOINTS = (": ", "; ", noted(" or "), noted(" and "), ", ")

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gearstudio.theory.blank import BlankSizes, blank_outline
+from ui.formatting import fixed
 from ui.units import value_text
 
 if TYPE_CHECKING:
@@ -98,7 +99,7 @@ def blank_shape(design: Design, member: MemberGeometry) -> BlankShape:
     pitch = _element(member, None)
     metal = np.concatenate([body, toe_foot[::-1][1:], heel_foot[::-1][:-1]])
     angles = (("δ_a", member.tip_angle), ("δ", member.pitch_angle), ("δ_f", member.root_angle))
-    notes = tuple(f"{name} {np.degrees(angle):.2f}°" for name, angle in angles)
+    notes = tuple(f"{name} {fixed(np.degrees(angle), 2)}°" for name, angle in angles)
     notes += tuple(f"c {_mm(outline.sizes.end_chamfer)}" for _ in outline.chamfers[:1])
     line = np.array([[0.0, 0.0], pitch[1]])
     return BlankShape(metal, tooth, line, _dimensions(member, outline.sizes, tips, pitch), notes)

@@ -12,6 +12,8 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ui.formatting import MINUS, written
+
 Bytes = NDArray[np.uint8]
 Stop = tuple[float, float, float]
 
@@ -20,7 +22,6 @@ SIZE = 257
 NANOMETRES_BELOW_UM = 0.5
 LIMIT_MIN_UM, LIMIT_MAX_UM = 1e-6, 1e6
 
-MINUS = "\N{MINUS SIGN}"
 UNITS: dict[str, tuple[str, float]] = {"um": ("µm", 1.0), "nm": ("nm", 1000.0), "uin": ("µin", 1000.0 / 25.4)}
 """Units of a deviation and how many of them make a micrometre."""
 
@@ -139,7 +140,7 @@ def tick_label(value: float, limit: float, signed: bool = True) -> str:
     """A tick's number with a true minus sign and no more digits than it needs; zero bare, others signed if wanted."""
     if abs(value) < 1e-9 * limit:
         return "0"
-    text = f"{abs(value):.4g}" if abs(value) < 1e4 else f"{abs(value):.1e}"
+    text = written(f"{abs(value):.4g}" if abs(value) < 1e4 else f"{abs(value):.1e}")
     return (("+" if signed else "") if value > 0 else MINUS) + text
 
 
@@ -149,7 +150,7 @@ def deviation_text(value_um: float, signed: bool = True, unit: str = "auto") -> 
     name, factor = unit_of(size, unit)
     number = size * factor
     digits = 0 if number >= 99.95 else 1 if number >= 9.995 else 2
-    text = f"{number:.{digits}f} {name}" if number >= 0.005 or number == 0 else f"{number:.1e} {name}"
+    text = written(f"{number:.{digits}f} {name}" if number >= 0.005 or number == 0 else f"{number:.1e} {name}")
     if not signed or size == 0:
         return text
     return ("+" if value_um > 0 else MINUS) + text

@@ -7,7 +7,7 @@ from html import escape
 from typing import Any
 
 from gearstudio.design import FieldSpec, all_field_specs
-from ui.formatting import choice_title, parse_number, subscripts
+from ui.formatting import choice_title, parse_number, subscripts, written
 from ui.help.pages_of import term_of
 from ui.units import factor, shown_text, spaced
 from ui.words import retold, told, tr
@@ -92,8 +92,8 @@ def problem_text(message: str, spec: FieldSpec) -> str:
         return text
     first, *others = message.split(" ")
     value = parse_number(first)
-    if not isinstance(value, str) and others[:1] != [spec.unit] and text.startswith(f"{first} "):
-        text = shown_text(value, spec.unit) + spaced(spec.unit) + text.removeprefix(first)
+    if not isinstance(value, str) and others[:1] != [spec.unit] and text.startswith(f"{written(first)} "):
+        text = shown_text(value, spec.unit) + spaced(spec.unit) + text.removeprefix(written(first))
     return text.replace(told(spec.range_text), limits_text(spec))
 
 

@@ -27,7 +27,7 @@ from gearstudio.formats import FORMATS
 from gearstudio.jobs import CONSTRUCTIONS, ExportedFile, ExportJob
 from ui.export_options import OptionsPanel
 from ui.fields import set_severity
-from ui.formatting import CONSTRUCTION_TITLES, MEMBER_TITLES, METHOD_TITLES, VARIANT_TITLES
+from ui.formatting import CONSTRUCTION_TITLES, MEMBER_TITLES, METHOD_TITLES, VARIANT_TITLES, number
 from ui.units import spaced, to_shown
 from ui.words import told, tr
 
@@ -243,17 +243,17 @@ def _found(file: ExportedFile) -> str:
     check = file.check
     lines = [f"{file.path.name}: {told(check)}"]
     low, high = check.box
-    box = " × ".join(f"{to_shown(b - a, 'mm'):.6g}" for a, b in zip(low, high, strict=True)) + spaced("mm")
+    box = " × ".join(number(to_shown(b - a, "mm")) for a, b in zip(low, high, strict=True)) + spaced("mm")
     lines.append(tr("box {box} · read by {kernel}", box=box, kernel=check.kernel))
     for face in check.worst:
         words = tr("{member} {face}: within {largest} µm of theory ({limit} µm allowed)",
-                   member=tr(face.member), face=told(face.title), largest=f"{face.largest_um:.4f}",
-                   limit=f"{face.limit_um:.4f}")  # fmt: skip
+                   member=tr(face.member), face=told(face.title), largest=number(face.largest_um, ".4f"),
+                   limit=number(face.limit_um, ".4f"))  # fmt: skip
         lines.append(words)
     if check.chord_um is not None and check.chord_limit_um is not None:
         lines.append(
             tr("triangles within {um} µm of theory ({limit} µm allowed)",
-               um=f"{check.chord_um:.4g}", limit=f"{check.chord_limit_um:.4g}")
+               um=number(check.chord_um, ".4g"), limit=number(check.chord_limit_um, ".4g"))
         )  # fmt: skip
     lines += map(told, check.remarks)
     if file.record is not None:
@@ -262,7 +262,7 @@ def _found(file: ExportedFile) -> str:
 
 
 def _size(size: int) -> str:
-    return f"{size / 1e6:.1f} MB" if size >= 1e6 else f"{max(size / 1e3, 1):.0f} kB"
+    return f"{number(size / 1e6, '.1f')} MB" if size >= 1e6 else f"{max(size / 1e3, 1):.0f} kB"
 
 
 def _combo(titles: dict[str, str], chosen: str) -> QComboBox:

@@ -1,15 +1,20 @@
-"""Numbers and words as the window shows them."""
+"""Numbers and words as the window shows them; the one place that decides how its language writes a number.
+
+What a file holds is none of this: there the decimal sign is a point in every language.
+"""
 
 from __future__ import annotations
 
 import math
 import re
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from html import escape
 from typing import Any
 
 from gearstudio.catalogue import METHOD_INFOS
 from gearstudio.design.choices import choice_title as choice_title
+from gearstudio.words import POINT, with_decimal
+from ui.language import decimal
 from ui.words import tr
 
 MINUS = "\N{MINUS SIGN}"
@@ -21,6 +26,21 @@ METHOD_TITLES = {info.id: info.title for info in METHOD_INFOS}
 VARIANT_TITLES = {"published": "Published", "optimised": "Optimised"}
 MEMBER_TITLES = {"pinion": "Pinion", "wheel": "Wheel"}
 CONSTRUCTION_TITLES = {"assemble": "Assembled from its faces", "cut": "Cut from the blank (slow)"}
+
+
+def written(text: str) -> str:
+    """A text with its numbers as the window's language writes them: with a decimal comma in German."""
+    return with_decimal(text, decimal())
+
+
+def number(value: float, spec: str = ".6g") -> str:
+    """A number formatted in Python's way, as the window's language writes it, with a true minus sign."""
+    return written(f"{value:{spec}}").replace("-", MINUS)
+
+
+def listed(texts: Iterable[str]) -> str:
+    """Values one after the other, parted by what no number holds: commas, semicolons where those are decimal signs."""
+    return (", " if decimal() == POINT else "; ").join(texts)
 
 
 def significant(value: float, digits: int = 3, most_decimals: int = 9) -> str:
@@ -37,7 +57,7 @@ def significant(value: float, digits: int = 3, most_decimals: int = 9) -> str:
 def micrometres(value_um: float) -> str:
     """A deviation in the unit that reads best: ``54.6 µm``, ``31.2 nm``, ``0.054 nm``, ``< 0.001 nm``."""
     if 0 < abs(value_um) < 5e-7:
-        return "< 0.001 nm"
+        return written("< 0.001 nm")
     unit, factor = _unit(value_um)
     return f"{significant(value_um * factor, most_decimals=3)} {unit}"
 
@@ -66,12 +86,12 @@ def subscripts(symbol: str) -> str:
 def fixed(value: float, decimals: int) -> str:
     """A derived value with fixed decimals; never ``-0.000``."""
     text = f"{value:.{decimals}f}"
-    return text.lstrip("-") if float(text) == 0 else text.replace("-", MINUS)
+    return written(text.lstrip("-") if float(text) == 0 else text.replace("-", MINUS))
 
 
 def settings_text(settings: Mapping[str, Any]) -> str:
     """What a construction took, in one line: ``positions 9, samples 12 × 14``."""
-    return ", ".join(f"{tr(key.replace('_', ' '))} {_setting(value)}" for key, value in settings.items())
+    return listed(f"{tr(key.replace('_', ' '))} {_setting(value)}" for key, value in settings.items())
 
 
 def shortcoming(method: str, settings: Mapping[str, Any]) -> str:
@@ -87,7 +107,7 @@ def _setting(value: Any) -> str:
     if isinstance(value, bool):
         return tr("yes") if value else tr("no")
     if isinstance(value, float):
-        return f"{value:.4g}"
+        return number(value, ".4g")
     if isinstance(value, list | tuple):
         return " × ".join(_setting(item) for item in value)
     if isinstance(value, Mapping):
@@ -97,7 +117,12 @@ def _setting(value: Any) -> str:
 
 def number_text(value: float | int) -> str:
     """A number as the user would type it: the shortest text that reads back as the same value."""
-    return str(value) if isinstance(value, int) else f"{value:.12g}"
+    return str(value) if isinstance(value, int) else typed(value, 12)
+
+
+def typed(value: float, digits: int) -> str:
+    """A number as the user would type it, with so many significant digits."""
+    return written(f"{value:.{digits}g}")
 
 
 def parse_number(text: str) -> int | float | str:

@@ -7,6 +7,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QCoreApplication, QLibraryInfo, QLocale, QSettings, QTranslator
 
+from gearstudio.words import DECIMALS, POINT
 from ui.preferences import LANGUAGES, NAMES
 
 FOLDER = Path(__file__).parent / "translations"
@@ -37,6 +38,11 @@ def spoken() -> str:
     """The language that the application speaks now."""
     application = QCoreApplication.instance()
     return str((application.property(_SPOKEN) if application is not None else None) or ENGLISH)
+
+
+def decimal() -> str:
+    """The decimal sign of the language that the application speaks now."""
+    return DECIMALS.get(spoken(), POINT)
 
 
 class Language:

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from math import degrees
 from typing import TYPE_CHECKING, Any
 
+from ui.formatting import fixed
 from ui.words import tr
 
 if TYPE_CHECKING:
@@ -33,7 +34,7 @@ def depth_hints(pair: PairGeometry) -> dict[str, str]:
         return {}
     depth = pair.hypoid.depth
     return {
-        "depth.mean_addendum_factor": f"{depth.addenda[1] / depth.working_depth:.4f}",
-        "depth.addendum_angle_deg": f"{degrees(depth.addendum_angle):.4f}°",
-        "depth.dedendum_angle_deg": f"{degrees(depth.dedendum_angle):.4f}°",
+        "depth.mean_addendum_factor": fixed(depth.addenda[1] / depth.working_depth, 4),
+        "depth.addendum_angle_deg": f"{fixed(degrees(depth.addendum_angle), 4)}°",
+        "depth.dedendum_angle_deg": f"{fixed(degrees(depth.dedendum_angle), 4)}°",
     }

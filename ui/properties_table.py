@@ -19,7 +19,7 @@ from PySide6.QtWidgets import (
 )
 
 from ui.fields import set_severity
-from ui.formatting import MEMBER_TITLES, number_text, parse_number
+from ui.formatting import MEMBER_TITLES, number, number_text, parse_number, typed
 from ui.materials import CUSTOM, MATERIALS, density_unit, properties
 from ui.words import tr
 
@@ -138,15 +138,15 @@ class PropertiesTable(QWidget):
             self._take(density)
 
     def _on_density(self, text: str) -> None:
-        typed, (unit, factor) = parse_number(text), density_unit()
-        if isinstance(typed, str) or not 0 < typed / factor <= HEAVIEST:
+        value, (unit, factor) = parse_number(text), density_unit()
+        if isinstance(value, str) or not 0 < value / factor <= HEAVIEST:
             set_severity(self.density_field, "error")
-            most = f"{HEAVIEST * factor:.6g} {unit}"
+            most = f"{number(HEAVIEST * factor)} {unit}"
             self.density_field.setToolTip(tr("A number above 0, at most {most}", most=most))
             return
         shown = [_density_text(material.density) for material in MATERIALS]
-        known = [index for index, one in enumerate(shown) if float(one) == typed]
-        density = MATERIALS[known[0]].density if known else typed / factor
+        known = [index for index, one in enumerate(shown) if parse_number(one) == value]
+        density = MATERIALS[known[0]].density if known else value / factor
         with QSignalBlocker(self.material):
             self.material.setCurrentIndex(known[0] if known else self.material.count() - 1)
         self._take(float(density))
@@ -164,4 +164,4 @@ class PropertiesTable(QWidget):
 def _density_text(density: float) -> str:
     """A density [kg/m³] as one would type it."""
     _, factor = density_unit()
-    return number_text(density) if factor == 1 else f"{density * factor:.5g}"
+    return number_text(density) if factor == 1 else typed(density * factor, 5)

@@ -9,6 +9,7 @@ from pathlib import Path
 from PySide6.QtCore import QCoreApplication
 
 from gearstudio.words import Speaker, Template, in_order
+from ui.formatting import written
 from ui.units import in_sentence
 from ui.words import tr
 
@@ -17,8 +18,8 @@ TEMPLATES = Path(__file__).parent / "translations" / "sentences.json"
 
 
 def translated(sentence: str) -> str:
-    """A sentence in the language and unit of length of the window; an unknown one stays English."""
-    return in_sentence(Speaker(templates(), _said, tr).told(sentence))
+    """A sentence in the language, notation and unit of length of the window; an unknown one stays English."""
+    return written(in_sentence(Speaker(templates(), _said, tr).told(sentence)))
 
 
 def _said(text: str) -> str:

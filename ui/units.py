@@ -9,7 +9,7 @@ import re
 from dataclasses import dataclass, replace
 from typing import Literal
 
-from ui.formatting import fixed, number_text, significant
+from ui.formatting import fixed, number_text, significant, typed
 from ui.words import tr
 
 LengthUnit = Literal["mm", "in"]
@@ -75,7 +75,7 @@ def from_shown(value: float, unit: str) -> float:
 
 def shown_text(value: float, unit: str) -> str:
     """A value of the design as the user would type it, in the unit shown, without the unit; in inches to 8 digits."""
-    return number_text(value) if factor(unit) == 1 else f"{to_shown(value, unit):.8g}"
+    return number_text(value) if factor(unit) == 1 else typed(to_shown(value, unit), 8)
 
 
 def value_text(value: float, unit: str, decimals: int = 3) -> str:

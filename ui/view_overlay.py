@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QLabel, QWidget
 
 from ui import units
 from ui.camera import Camera
+from ui.formatting import number
 from ui.theme import DARK, LIGHT, Tokens
 
 MARGIN = 10
@@ -198,7 +199,7 @@ class ScaleBar(_Overlay):
     @property
     def label(self) -> str:
         """The words at the bar."""
-        return f"{'≈ ' if self._about else ''}{self.length:g} {units.unit_shown('mm')}"
+        return f"{'≈ ' if self._about else ''}{number(self.length, 'g')} {units.unit_shown('mm')}"
 
     def paintEvent(self, event: QPaintEvent) -> None:
         with QPainter(self) as painter:

@@ -4,9 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import partial, wraps
-from typing import ParamSpec
+from string import Formatter
+from typing import Any, ParamSpec
 
 from PySide6.QtCore import QCoreApplication
+
+from gearstudio.words import with_decimal
+from ui.language import decimal
 
 CONTEXT = "GearStudio"
 _Given = ParamSpec("_Given")
@@ -22,14 +26,25 @@ class Said(str):
         return str, (str(self),)  # other processes take the words as they are
 
 
+class _Filler(Formatter):
+    """Fills in texts; numbers with decimals get the language's sign."""
+
+    def format_field(self, value: Any, format_spec: str) -> str:
+        text = str(super().format_field(value, format_spec))
+        return with_decimal(text, decimal()) if isinstance(value, float) else text
+
+
+_filler = _Filler()
+
+
 def tr(text: str, /, **values: object) -> str:
-    """A text in the chosen language, its ``{names}`` filled in.
+    """A text in the chosen language, its ``{names}`` filled in, numbers as the language writes them.
 
     The text is a literal in English, or an entry of a table of such literals; `tools/translations.py` collects both
     for the translation files.
     """
     said = QCoreApplication.translate(CONTEXT, text) if text else ""
-    return _remembered(said.format(**values) if values else said, partial(_tr_again, text, values))
+    return _remembered(_filler.format(said, **values) if values else said, partial(_tr_again, text, values))
 
 
 def noted(text: str, /) -> str:

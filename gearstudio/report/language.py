@@ -16,14 +16,12 @@ from datetime import datetime
 from functools import cache, cached_property
 from importlib import resources
 
-from gearstudio.words import ENGLISH, Speaker, in_order, noted
+from gearstudio.words import DECIMALS, ENGLISH, POINT, Speaker, in_order, noted, with_decimal
 
 CJK = {"zh"}
 """Languages whose characters are in no font that the program brings."""
 _MINUS = "\N{MINUS SIGN}"
-_DECIMALS = {"de": ","}
 _MOMENTS = {"de": "%d.%m.%Y, %H:%M %Z", "zh": "%Y年%m月%d日 %H:%M %Z"}
-_NUMBER = re.compile(r"(?<![\w.,])([-−]?)(\d+)\.(\d+)(?!\w|\.\d)")
 _NEGATIVE = re.compile(r"-(?=\d)")
 
 
@@ -34,7 +32,7 @@ class Language:
     code: str = ENGLISH
     words: Mapping[str, str] = field(default_factory=dict)
     sentences: Mapping[str, str] = field(default_factory=dict)
-    decimal: str = "."
+    decimal: str = POINT
 
     def word(self, text: str) -> str:
         """A title or a word; as it is when it is not known."""
@@ -58,7 +56,7 @@ def language(code: str) -> Language:
     if code == ENGLISH:
         return _ENGLISH
     text = (resources.files("gearstudio.report") / "words" / f"{code}.json").read_text(encoding="utf-8")
-    return Language(code, **json.loads(text), decimal=_DECIMALS.get(code, "."))
+    return Language(code, **json.loads(text), decimal=DECIMALS.get(code, POINT))
 
 
 _current: ContextVar[Language] = ContextVar("language of the report")
@@ -106,8 +104,7 @@ def number(value: float, spec: str = ".10g") -> str:
 
 def notation(text: str) -> str:
     """The numbers of a text with the language's decimal sign and a true minus sign; versions and paths stay."""
-    decimal = spoken().decimal
-    pointed = _NUMBER.sub(lambda found: f"{found[1]}{found[2]}{decimal}{found[3]}", text)
+    pointed = with_decimal(text, spoken().decimal)
     return _NEGATIVE.sub(_MINUS, pointed) if re.fullmatch(r"-[\d.,]+(e[-+]?\d+)?", pointed) else pointed
 
 

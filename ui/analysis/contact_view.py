@@ -14,7 +14,7 @@ from gearstudio.theory.flank import FlankName
 from gearstudio.theory.modified import flank_of
 from ui.charts.raster import drawn_flat, frame, inside, outline, raster
 from ui.charts.records import Axis, ChartData, Reference, Series, Table
-from ui.formatting import MEMBER_TITLES, significant
+from ui.formatting import MEMBER_TITLES, fixed, significant
 from ui.units import small_text
 from ui.words import tr
 
@@ -111,8 +111,8 @@ def facts(result: ContactResult, direction: Direction) -> tuple[tuple[str, str],
     peak = side.peak_to_peak_arcsec
     return (
         (tr("Peak to peak"), f"{significant(peak)}″" if peak >= 1e-4 else "<\u202f10⁻⁴″"),
-        (tr("Contact ratio"), f"{side.contact_ratio:.2f}"),
-        (tr("Pattern"), f"{100 * side.pattern_share:.0f} %"),
+        (tr("Contact ratio"), fixed(side.contact_ratio, 2)),
+        (tr("Pattern"), f"{fixed(100 * side.pattern_share, 0)} %"),
         (tr("Backlash"), _backlash(result.play_mm)),
     )
 

@@ -18,7 +18,7 @@ from ui.charts.maps import FlankMap, MapData, Scale
 from ui.charts.raster import drawn_flat, frame, inside, outline, raster
 from ui.charts.records import Table
 from ui.charts.scales import diverging, sequential
-from ui.formatting import METHOD_TITLES, MINUS
+from ui.formatting import METHOD_TITLES, number
 from ui.session import Key
 from ui.units import per_length
 from ui.words import told, tr
@@ -87,7 +87,7 @@ def power_of_ten(value: float) -> str:
     if value == 0:
         return "0"
     mantissa, exponent = f"{value:.2e}".split("e")
-    return f"{mantissa}·10{str(int(exponent)).translate(SUPERSCRIPTS)}".replace("-", MINUS)
+    return f"{number(float(mantissa), '.2f')}·10{str(int(exponent)).translate(SUPERSCRIPTS)}"
 
 
 def _title(wanted: Wanted) -> str:

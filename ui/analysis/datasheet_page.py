@@ -25,6 +25,7 @@ from ui.analysis.published_table import PublishedTable
 from ui.analysis.sheet_table import SheetTable
 from ui.charts.buttons import menu_button
 from ui.charts.frame import documents
+from ui.formatting import written
 from ui.method_bar import Segments
 from ui.session import Session
 from ui.words import told, tr
@@ -125,8 +126,10 @@ class DatasheetPage(QWidget):
         return sheet_text(self._sheet, format_) if self._sheet is not None else ""  # type: ignore[arg-type]
 
     def copy(self, format_: str) -> None:
-        """Put the sheet on the clipboard."""
-        QGuiApplication.clipboard().setText(self.text(format_))
+        """Put the sheet on the clipboard: text as it is shown, other formats as in a file."""
+        text = self.text(format_)
+        published = self._stack.currentIndex() == 1
+        QGuiApplication.clipboard().setText(written(text) if published or format_ == "text" else text)
         self.said.emit("info", tr("Copied the data sheet as {format}", format=tr(TITLES[format_])))
 
     def ask_and_save(self, format_: str) -> None:

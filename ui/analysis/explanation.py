@@ -10,7 +10,7 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QFrame, QLabel, QScrollArea, QWidget
 
 from ui.analysis.sheet_table import lowered, shown_value
-from ui.formatting import MEMBER_TITLES, MINUS
+from ui.formatting import MEMBER_TITLES, MINUS, fixed, written
 from ui.theme import tokens
 from ui.units import factor, to_shown, unit_shown
 from ui.words import tr
@@ -112,7 +112,7 @@ def _input(value: float, unit: str) -> str:
     """A number that was put in, with the digits of the sheet, in the unit shown."""
     from gearstudio.analysis.datasheet import number
 
-    return number(value, unit) if factor(unit) == 1 else f"{to_shown(value, unit):.6f}"
+    return written(number(value, unit)) if factor(unit) == 1 else fixed(to_shown(value, unit), 6)
 
 
 def _number(text: str, unit: str) -> str:

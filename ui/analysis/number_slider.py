@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QSignalBlocker, Qt
+from PySide6.QtGui import QValidator
 from PySide6.QtWidgets import QDoubleSpinBox, QGridLayout, QLabel, QSlider
 
+from ui.formatting import fixed, parse_number
 from ui.units import INCH_EXTRA, factor, from_shown, to_shown, unit_shown
 
 STEPS = 200
@@ -13,6 +15,28 @@ BARE = (
     "QDoubleSpinBox::up-arrow, QDoubleSpinBox::down-arrow { image: none; width: 0; height: 0; }"
 )
 """A box without arrows: the style's own way to leave them out leaves no room for the number."""
+
+
+class NumberBox(QDoubleSpinBox):
+    """A box that writes numbers in the window's language and, as every field, reads point and comma."""
+
+    def textFromValue(self, value: float) -> str:
+        return fixed(value, self.decimals())
+
+    def valueFromText(self, text: str) -> float:
+        value = self._read(text)
+        return self.value() if value is None else round(value, self.decimals())
+
+    def validate(self, text: str, place: int) -> tuple[QValidator.State, str, int]:
+        value = self._read(text)
+        if value is None and any(letter.isalpha() for letter in text.removesuffix(self.suffix())):
+            return QValidator.State.Invalid, text, place
+        good = value is not None and self.minimum() <= value <= self.maximum()
+        return QValidator.State.Acceptable if good else QValidator.State.Intermediate, text, place
+
+    def _read(self, text: str) -> float | None:
+        value = parse_number(text.removesuffix(self.suffix()))
+        return None if isinstance(value, str) else float(value)
 
 
 class NumberSlider:
@@ -24,7 +48,7 @@ class NumberSlider:
         self.label = QLabel(label)
         self.slider = QSlider(Qt.Orientation.Horizontal)
         self.slider.setRange(0, STEPS)
-        self.box = QDoubleSpinBox()
+        self.box = NumberBox()
         self.box.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.box.setAlignment(Qt.AlignmentFlag.AlignRight)
         self.box.setFixedWidth(88)

@@ -7,6 +7,7 @@ from PySide6.QtWidgets import QLabel, QTableWidgetItem, QVBoxLayout, QWidget
 
 from gearstudio.analysis.selfcheck import Check, self_check
 from ui.analysis.sheet_table import LEFT, RIGHT, add_heading, cell, quiet_table
+from ui.formatting import written
 from ui.theme import tokens
 from ui.words import tr
 
@@ -42,7 +43,7 @@ class PublishedTable(QWidget):
                 source = check.source
                 add_heading(table, row, tr(source))
                 row += 1
-            texts = (_named(check.name), check.published, check.computed or "–", tr(check.unit))
+            texts = (_named(check.name), written(check.published), written(check.computed) or "–", tr(check.unit))
             for column, text in enumerate(texts):
                 table.setItem(row, column, cell(text, RIGHT if column in (1, 2) else LEFT))
             table.setItem(row, 4, _verdict(check))

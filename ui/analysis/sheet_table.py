@@ -21,7 +21,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from ui.formatting import MINUS
+from ui.formatting import MINUS, written
 from ui.units import unit_shown, value_text
 from ui.words import tr
 
@@ -44,7 +44,7 @@ def shown_value(quantity: Quantity) -> str:
     """A value in the unit shown; with as many digits as the sheet has, unless the user chose."""
     if quantity.unit in DECIMALS and math.isfinite(quantity.value):
         return value_text(quantity.value, quantity.unit, DECIMALS[quantity.unit])
-    return quantity.text.replace("-", MINUS)
+    return written(quantity.text).replace("-", MINUS)
 
 
 class IndexDelegate(QStyledItemDelegate):

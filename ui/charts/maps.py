@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from ui.charts.records import Table
+from ui.charts.records import Table, plain
 
 Floats = NDArray[np.float64]
 Colors = Callable[[Floats], NDArray[np.uint8]]
@@ -46,7 +46,7 @@ class FlankMap:
     extent: tuple[float, ...]
     outline: Floats
     lines: tuple[Line, ...] = ()
-    describe: Callable[[float], str] = "{:.4g}".format
+    describe: Callable[[float], str] = plain
     reach: float = 0.0
 
 

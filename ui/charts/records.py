@@ -12,7 +12,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from ui.formatting import MINUS
+from ui.formatting import number, typed
 from ui.units import to_shown, unit_shown
 from ui.words import noted, told, tr
 
@@ -22,6 +22,8 @@ ORDERS_APART = 30.0
 """From this ratio of the largest to the smallest curve on, a logarithmic axis reads better."""
 
 
+DIGITS = 12
+"""Of the numbers of a table."""
 UNIT = re.compile(r"(.+) \[(.+)\]")
 """A heading with a unit."""
 HEADINGS = (
@@ -34,7 +36,7 @@ HEADINGS = (
 
 def plain(value: float) -> str:
     """A number as short as it can be, with a true minus sign."""
-    return f"{value:.6g}".replace("-", MINUS)
+    return number(value)
 
 
 @dataclass(frozen=True)
@@ -156,7 +158,7 @@ class Table:
     rows: Sequence[Sequence[object]]
 
     def shown(self) -> Table:
-        """For a spreadsheet: headings and names in the window's language, lengths in its unit."""
+        """For a spreadsheet: headings, names and numbers in the window's language, lengths in its unit."""
         parts = [UNIT.fullmatch(title) for title in self.head]
         units = [part[2] if part else "" for part in parts]
         titles = [tr(part[1] if part else title) for part, title in zip(parts, self.head, strict=True)]
@@ -176,13 +178,13 @@ class Table:
 
 
 def _cell(value: object) -> str:
-    return f"{value:.12g}" if isinstance(value, float | np.floating) else str(value)
+    return f"{value:.{DIGITS}g}" if isinstance(value, float | np.floating) else str(value)
 
 
 def _shown_cell(value: object, unit: str) -> object:
     if isinstance(value, str):
         return told(value)
-    return to_shown(float(value), unit) if isinstance(value, float | np.floating) else value
+    return typed(to_shown(float(value), unit), DIGITS) if isinstance(value, float | np.floating) else value
 
 
 def _table_of(data: ChartData) -> Table:

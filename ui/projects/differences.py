@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from gearstudio.design import Design, all_field_specs, field_value
-from ui.formatting import MINUS, choice_title
+from ui.formatting import choice_title, number, written
 from ui.words import tr
 
 
@@ -69,14 +69,14 @@ def _quantities(first: Any, second: Any) -> Iterator[Line]:
         difference = "" if same else _difference(one.value, other.value)
         owner = owners[one.owner]
         group = owner if tr(one.group) == owner else f"{owner}: {tr(one.group)}"
-        yield Line(group, tr(one.name), one.unit, one.text, other.text, difference)
+        yield Line(group, tr(one.name), one.unit, written(one.text), written(other.text), difference)
 
 
 def _text(value: object) -> str:
     if value is None:
         return tr("derived")
     if isinstance(value, float):
-        return f"{value:.10g}".replace("-", MINUS)
+        return number(value, ".10g")
     return tr(choice_title(value)) if isinstance(value, str) else str(value)
 
 
@@ -84,5 +84,5 @@ def _difference(one: object, other: object) -> str:
     if one == other:
         return ""
     if isinstance(one, int | float) and isinstance(other, int | float):
-        return f"{other - one:+.5g}".replace("-", MINUS)
+        return number(other - one, "+.5g")
     return "≠"

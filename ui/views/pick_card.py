@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QToolButton, QVBoxLay
 
 from gearstudio.catalogue import METHOD_IDS, VARIANTS
 from ui import colormap, units
-from ui.formatting import MEMBER_TITLES, METHOD_TITLES, VARIANT_TITLES, fixed
+from ui.formatting import MEMBER_TITLES, METHOD_TITLES, VARIANT_TITLES, fixed, number
 from ui.session import Key
 from ui.theme import set_icon
 from ui.view_overlay import PaneTitle
@@ -211,4 +211,4 @@ def _scale(values: PickedValues, name: str) -> tuple[str, str, float]:
 def _numbers(one: Curvature | None, scales: list[tuple[str, str, float]]) -> list[str]:
     if one is None:
         return ["∞" for _ in scales]
-    return [f"{getattr(one, name) * factor:.5g}".replace("-", colormap.MINUS) for name, _, factor in scales]
+    return [number(getattr(one, name) * factor, ".5g") for name, _, factor in scales]

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ui import colormap
+from ui.formatting import number
 from ui.units import per_length
 from ui.views.appearance import Appearance
 
@@ -63,12 +64,12 @@ class Quantity:
         if self.is_deviation:
             return colormap.deviation_text(value, unit=unit)
         name, factor = self.shown(abs(value))
-        return f"{value * factor:.4g}{_joined(name)}".replace("-", colormap.MINUS)
+        return f"{number(value * factor, '.4g')}{_joined(name)}"
 
     def span_text(self, low: float, high: float) -> str:
         """From where to where values run."""
         name, factor = self.shown(max(abs(low), abs(high)))
-        return f"{low * factor:.4g} … {high * factor:.4g}{_joined(name)}".replace("-", colormap.MINUS)
+        return f"{number(low * factor, '.4g')} … {number(high * factor, '.4g')}{_joined(name)}"
 
 
 def _joined(unit: str) -> str:

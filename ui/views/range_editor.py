@@ -5,7 +5,7 @@ from __future__ import annotations
 from PySide6.QtCore import QPoint, Qt, Signal
 from PySide6.QtWidgets import QFormLayout, QFrame, QLabel, QLineEdit, QWidget
 
-from ui.formatting import parse_number
+from ui.formatting import parse_number, typed
 from ui.words import tr
 
 
@@ -43,7 +43,7 @@ class RangeEditor(QFrame):
         for field, value, name in zip(
             self._fields, (high, low), (tr("Upper end of the scale"), tr("Lower end of the scale")), strict=True
         ):
-            field.setText(f"{value:.6g}")
+            field.setText(typed(value, 6))
             field.setAccessibleName(name)
             field.setToolTip(name)
         for widget in (self._words[1], self._fields[1]):
