@@ -88,11 +88,6 @@ def surface_curvature(surface: NurbsSurface, flank: Flank, u: ArrayLike, v: Arra
     return _curvature(points, derivatives, flank.normals_at(psi, rho))
 
 
-def flank_coordinates(flank: Flank, points: Floats) -> tuple[Floats, Floats]:
-    """Natural coordinates of the flank at points on or near it; not below the base cone, (...) each."""
-    return flank.natural(points)
-
-
 def curvature_difference(surface: NurbsSurface, flank: Flank, u: ArrayLike, v: ArrayLike) -> CurvatureMap:
     """Curvature of a modelled flank less that of theory at the same places.
 

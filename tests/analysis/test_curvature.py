@@ -9,7 +9,6 @@ from gearstudio.analysis.comparison import build_variant
 from gearstudio.analysis.curvature import (
     CurvatureMap,
     curvature_difference,
-    flank_coordinates,
     surface_curvature,
     surface_derivatives,
     theory_curvature,
@@ -128,7 +127,7 @@ def test_surface_through_theory_has_its_curvature() -> None:
     along = make_interp_spline(v, np.moveaxis(across.c, 1, 0), k=9)
     surface = NurbsSurface(np.moveaxis(along.c, 0, 1), across.t, along.t, 9, 9)
     found = surface_curvature(surface, flank, np.linspace(0.1, 0.9, 21), np.linspace(0.1, 0.9, 21))
-    truth = theory_curvature_at(flank, *flank_coordinates(flank, found.points))
+    truth = theory_curvature_at(flank, *flank.natural(found.points))
     for part in PARTS:
         assert getattr(found, part) == pytest.approx(getattr(truth, part), rel=1e-6)
 
@@ -147,7 +146,7 @@ def test_optimised_point_cloud_has_the_curvature_of_theory(flank_name: str) -> N
     u0, u1, v0, v1 = surface.bounds
     inside = np.linspace(0.1, 0.9, 17)
     difference = curvature_difference(surface, flank, u0 + inside * (u1 - u0), v0 + inside * (v1 - v0))
-    truth = theory_curvature_at(flank, *flank_coordinates(flank, difference.points))
+    truth = theory_curvature_at(flank, *flank.natural(difference.points))
     assert relative(difference, truth) < 1e-6
 
 

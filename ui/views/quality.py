@@ -9,7 +9,6 @@ from numpy.typing import NDArray
 
 from gearstudio.analysis.curvature import (
     CurvatureMap,
-    flank_coordinates,
     surface_curvature,
     surface_derivatives,
     theory_curvature_at,
@@ -87,7 +86,7 @@ def flank_quality(result: FlankResult, flank: Flank) -> FlankQuality:
     except GeometryError:  # it may start on the base cone, where it has no curvature
         start = 1
         found = surface_curvature(result.surface, flank, u[1:], v)
-    psi, rho = flank_coordinates(flank, found.points)
+    psi, rho = flank.natural(found.points)
     steady = psi > _ABOVE_BASE
     exact = theory_curvature_at(flank, np.where(steady, psi, 1.0), rho)
     lines = line_curvatures(result.surface, u[start:], v, found.normals)
