@@ -6,10 +6,11 @@ import logging
 import sys
 import threading
 import traceback
+from collections import deque
 from collections.abc import Callable
-from typing import Any
+from typing import Any, NamedTuple
 
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import QObject, Qt, Signal, Slot
 
 from gearstudio.errors import GearStudioError
 
@@ -24,10 +25,26 @@ class StoppedError(GearStudioError):
     """The user has ended the work."""
 
 
+class Request(NamedTuple):
+    """Work, and what its outcome is called."""
+
+    label: object
+    work: Work
+
+
+class News(NamedTuple):
+    """A signal to be emitted. It brings the request back, to be dropped where it was made."""
+
+    signal: str
+    values: tuple[object, ...] = ()
+    request: Request | None = None
+
+
 class Newest(QObject):
     """Runs requests one at a time; a new one replaces the one that waits.
 
-    The thread starts with the first request. Results arrive in the thread of this object.
+    The thread starts with the first request. Results arrive in the thread of this object, and what a request holds
+    is dropped there: it may be objects of Qt. No signal comes after `close`.
 
     Signals
     -------
@@ -45,80 +62,114 @@ class Newest(QObject):
     failed = Signal(object, str, str)
     stopped = Signal(object)
     idle = Signal()
+    _rang = Signal()
 
     def __init__(self, name: str, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self._name = name
-        self._changed = threading.Condition()
-        self._waiting: tuple[object, Work] | None = None
+        self._bench = _Bench(name, self._rang.emit)
         self._thread: threading.Thread | None = None
-        self._closed = self._running = self._unwanted = False
+        self._rang.connect(self._deliver, Qt.ConnectionType.QueuedConnection)
+        self.destroyed.connect(self._bench.close)
 
     @property
     def busy(self) -> bool:
         """Whether anything waits or is being done."""
-        with self._changed:
-            return self._running or self._waiting is not None
+        bench = self._bench
+        with bench.changed:
+            return bench.doing is not None or bench.waiting is not None
 
     def request(self, label: object, work: Work) -> None:
         """Ask for work; what still waits is forgotten."""
-        with self._changed:
-            if self._closed:
+        bench = self._bench
+        with bench.changed:
+            if bench.closed:
                 return
-            self._waiting = (label, work)
-            if self._thread is None:
-                sys.setswitchinterval(SWITCH_S)
-                self._thread = threading.Thread(target=self._run, name=self._name, daemon=True)
-                self._thread.start()
-            self._changed.notify()
+            bench.waiting = Request(label, work)
+            bench.changed.notify()
+        if self._thread is None:
+            sys.setswitchinterval(SWITCH_S)
+            self._thread = threading.Thread(target=bench.run, name=bench.name, daemon=True)
+            self._thread.start()
 
     def cancel(self) -> None:
         """Forget what waits, and end what is being done when it next asks `go_on`."""
-        with self._changed:
-            self._waiting, self._unwanted = None, self._running
+        bench = self._bench
+        with bench.changed:
+            bench.waiting, bench.unwanted = None, bench.doing is not None
 
     def go_on(self) -> None:
         """For the work to ask now and then: raises StoppedError once it is not wanted any more."""
-        if self._unwanted or self._closed:
+        if self._bench.unwanted or self._bench.closed:
             raise StoppedError("cancelled")
 
     def close(self) -> None:
         """Take no more, and wait for what is being done, but not for long: it can do no more harm."""
-        with self._changed:
-            self._closed, self._waiting = True, None
-            self._changed.notify()
+        self._bench.close()
         if self._thread is not None:
             self._thread.join(PATIENCE_S)
 
-    def _run(self) -> None:
-        while True:
-            with self._changed:
-                self._changed.wait_for(lambda: self._closed or self._waiting is not None)
-                if self._waiting is None:
-                    return
-                (label, work), self._waiting, self._running = self._waiting, None, True
-                self._unwanted = False
-            self._do(label, work)
-            with self._changed:
-                self._running = False
-                if self._closed:
-                    return
-                if self._waiting is None:
-                    self.idle.emit()
+    @Slot()
+    def _deliver(self) -> None:
+        news = self._bench.news.popleft()
+        if not self._bench.closed:
+            getattr(self, news.signal).emit(*news.values)
 
-    def _do(self, label: object, work: Work) -> None:
+
+class _Bench:
+    """What the thread works at: nothing of Qt, for it may outlive the object that it works for.
+
+    ``doing`` and ``news`` hold what came with a request, the thread's own frames never alone.
+    """
+
+    def __init__(self, name: str, ring: Callable[[], object]) -> None:
+        self.name = name
+        self.changed = threading.Condition()
+        self.waiting: Request | None = None
+        self.doing: Request | None = None
+        self.news: deque[News] = deque()
+        self.closed = self.unwanted = False
+        self._ring = ring
+
+    def close(self) -> None:
+        """Take and tell no more; what is being told is told first."""
+        with self.changed:
+            self.closed, self.waiting = True, None
+            self.changed.notify()
+
+    def run(self) -> None:
+        """Carry out what comes until it is closed."""
+        while self._begin():
+            self.news.append(self._outcome())
+            self._end()
+
+    def _begin(self) -> bool:
+        with self.changed:
+            self.changed.wait_for(lambda: self.closed or self.waiting is not None)
+            self.doing, self.waiting, self.unwanted = self.waiting, None, False
+            return self.doing is not None
+
+    def _end(self) -> None:
+        with self.changed:
+            self.doing = None
+            self._tell()
+            if self.waiting is None:
+                self.news.append(News("idle"))
+                self._tell()
+
+    def _tell(self) -> None:
+        if not self.closed:
+            self._ring()
+
+    def _outcome(self) -> News:
+        request = self.doing
+        assert request is not None
         try:
-            result = work()
+            return News("done", (request.label, request.work()), request)
         except StoppedError:
-            self._tell(self.stopped, label)
+            return News("stopped", (request.label,), request)
         except GearStudioError as error:
-            self._tell(self.failed, label, str(error), "")
+            return News("failed", (request.label, str(error), ""), request)
         except Exception as error:
-            log.exception("%s failed", self._name)
-            self._tell(self.failed, label, f"{type(error).__name__}: {error}", traceback.format_exc())
-        else:
-            self._tell(self.done, label, result)
-
-    def _tell(self, signal: Any, *values: object) -> None:
-        if not self._closed:
-            signal.emit(*values)
+            log.exception("%s failed", self.name)
+            words = f"{type(error).__name__}: {error}"
+            return News("failed", (request.label, words, traceback.format_exc()), request)
