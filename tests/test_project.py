@@ -153,17 +153,17 @@ def test_damage_is_named(content: bytes, said: str, tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("line", "said"),
     [
-        ("outer_module = 3,5", "have a point, not a comma; write outer_module = 3.5"),
-        ("outer_module=-1,25e1 # mm", "have a point, not a comma; write outer_module = -1.25e1"),
-        ("outer_module = 3,5 mm", "without a unit, which is always the same; write outer_module = 3.5"),
-        ("outer_module = 3.5mm", "write outer_module = 3.5"),
-        ("outer_module = .5", "digits on both sides of its point; write outer_module = 0.5"),
-        ("outer_module = -5. # mm", "write outer_module = -5.0"),
+        ("outer_module = 3,5", "have a point, not a comma; write “outer_module = 3.5”"),
+        ("outer_module=-1,25e1 # mm", "have a point, not a comma; write “outer_module = -1.25e1”"),
+        ("outer_module = 3,5 mm", "without a unit, which is always the same; write “outer_module = 3.5”"),
+        ("outer_module = 3.5mm", "write “outer_module = 3.5”"),
+        ("outer_module = .5", "digits on both sides of its point; write “outer_module = 0.5”"),
+        ("outer_module = -5. # mm", "write “outer_module = -5.0”"),
         ("outer_module =", "the value after the sign = is missing"),
         ("outer_module = # mm", "the value after the sign = is missing"),
-        ("outer_module: 3.5", "this is neither the heading of a table"),
-        ("pinion_hand = left", 'straight quotation marks; write pinion_hand = "left"'),
-        ("pinion_hand = “left”", 'write pinion_hand = "left"'),
+        ("outer_module: 3.5", "this is no heading of a table"),
+        ("pinion_hand = left", 'straight quotation marks; write “pinion_hand = "left"”'),
+        ("pinion_hand = “left”", 'write “pinion_hand = "left"”'),
         ('pinion_hand = "left', "two straight quotation marks on one line"),
         ("outer_module = 3.5.1", "neither a number"),
     ],
@@ -175,7 +175,7 @@ def test_a_line_that_cannot_be_read_is_quoted_with_what_to_write(line: str, said
     assert found.startswith(f"line 3, “{line}”: ") and said in found
     assert "\n" not in found and "TOML" not in found
     _, offered, remedy = found.rpartition("; write ")
-    assert not offered or tomllib.loads(remedy), "what is offered can be read"
+    assert not offered or tomllib.loads(remedy.strip("“”")), "what is offered can be read"
 
 
 def test_all_decimal_commas_are_told_at_once_and_the_file_once(tmp_path: Path) -> None:

@@ -12,6 +12,7 @@ from gearstudio.design import Design
 from gearstudio.errors import DesignError, FileError
 from ui.export_dialog import ExportDialog
 from ui.projects.lock import ProjectLock, ask_how_to_open
+from ui.projects.problems import not_opened
 from ui.session import Session
 from ui.words import noted, told, tr
 
@@ -95,21 +96,9 @@ class Files(QObject):
 
         try:
             design = load_design(path)
-        except DesignError as error:
-            count = len(error.issues)
-            text = tr("{name} was not opened: {problem}", name=path.name, problem=told(error.issues[0]))
-            if count > 1:
-                text = tr(
-                    "{name} was not opened: it has {count} problems, the first at {problem}",
-                    name=path.name,
-                    count=count,
-                    problem=told(error.issues[0]),
-                )
-            self._window.messages.show_message("error", text, told(error), topic="file")
-            return False
-        except FileError as error:
-            text = tr("{name} was not opened: {problem}", name=path.name, problem=told(error.reason))
-            self._window.messages.show_message("error", text, str(error), topic="file")
+        except (DesignError, FileError) as error:
+            text, details = not_opened(path, error)
+            self._window.messages.show_message("error", text, details, topic="file")
             return False
         return self._open_as(design, path)
 
@@ -210,7 +199,7 @@ class Files(QObject):
             if self._session.path is not None and not self._session.read_only:
                 self.lock.take(self._session.path)
             text = tr("{name} was not saved: {problem}", name=path.name, problem=told(error.reason))
-            self._window.messages.show_message("error", text, str(error), topic="file")
+            self._window.messages.show_message("error", text, str(path), topic="file")
             return False
         self._folder = str(path.parent)
         self._session.mark_saved(path, self._session.design)

@@ -58,10 +58,10 @@ def _problem(line: str) -> str:
     else:
         return ""
     if _HEADING.match(line):
-        return "the heading of a table stands alone on its line and between brackets, as [pair]"
+        return "the heading of a table stands alone on its line and between brackets, as “[pair]”"
     entry = _ENTRY.fullmatch(line)
     if entry is None:
-        return "this is neither the heading of a table, as [pair], nor an entry, as pinion_teeth = 17, nor a # comment"
+        return "this is no heading of a table, as “[pair]”, no entry, as “pinion_teeth = 17”, and no comment after #"
     value = entry[2] if entry[2][:1] in "\"'“„" else entry[2].partition("#")[0].strip()
     return _problem_of_value(shortened(entry[1], _LONGEST_WORD), value)
 
@@ -70,16 +70,16 @@ def _problem_of_value(key: str, value: str) -> str:
     if not value:
         return f"the value after the sign = is missing; put it there, or take the line out to have the usual {key}"
     if match := _DECIMAL_COMMA.fullmatch(value):
-        return f"numbers in a design file have a point, not a comma; write {key} = {match[1]}.{match[2]}"
+        return f"numbers in a design file have a point, not a comma; write “{key} = {match[1]}.{match[2]}”"
     if match := _WITH_UNIT.fullmatch(value):
         number = match[1].replace(",", ".")
-        return f"a number stands without a unit, which is always the same; write {key} = {number}"
+        return f"a number stands without a unit, which is always the same; write “{key} = {number}”"
     if (match := _HALF.fullmatch(value)) and (match[2] or match[3]):
         number = f"{match[1]}{match[2] or 0}.{match[3] or 0}"
-        return f"a number needs digits on both sides of its point; write {key} = {number}"
+        return f"a number needs digits on both sides of its point; write “{key} = {number}”"
     if match := _WORD.fullmatch(value):
         word = shortened(match[1], _LONGEST_WORD)
-        return f'a word needs straight quotation marks; write {key} = "{word}"'
+        return f'a word needs straight quotation marks; write “{key} = "{word}"”'
     if value[0] in "\"'“„" and (len(value) == 1 or value[-1] not in "\"'"):
         return "a text needs two straight quotation marks on one line"
-    return "the value is neither a number, as 3.5, nor a text between straight quotation marks"
+    return "the value is neither a number, as “3.5”, nor a text between straight quotation marks"

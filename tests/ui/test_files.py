@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -61,6 +62,9 @@ def choose_file(monkeypatch: pytest.MonkeyPatch, path: Path | str) -> None:
         ("not-utf8", b"format = 1\nname = '\xff\xfe'\n"),
         ("empty", b""),
         ("impossible", b"format = 1\n[pair]\npinion_teeth = 3\nouter_module = -1\n"),
+        ("commas", b"format = 1\n[pair]\nouter_module = 3,5\nshaft_angle_deg = 90,0\n"),
+        ("picture", b"\x89PNG\r\n\x1a\n\x00\x00"),
+        ("no-value", b'format = 1\n[pair]\nouter_module = ""\n'),
     ],
 )
 def test_a_damaged_file_is_refused_in_words_and_changes_nothing(bench: Bench, tmp_path, name, content) -> None:
@@ -69,14 +73,46 @@ def test_a_damaged_file_is_refused_in_words_and_changes_nothing(bench: Bench, tm
     before = dict(bench.session.draft)
     assert not bench.files.open_path(path)
     text = bench.window.messages.text
-    assert path.name in text and "Traceback" not in text and "Error" not in text
+    assert text.count(path.name) == 1 and "Traceback" not in text and "Error" not in text
+    assert str(path.parent) not in text and "TOML" not in text
+    assert str(path) in bench.window.messages.keep_state()[2]
     assert bench.session.draft == before and bench.session.path is None
 
 
+@pytest.mark.parametrize(
+    ("content", "said"),
+    [
+        (
+            b"format = 1\n[pair]\nouter_module = 3,5\nshaft_angle_deg = 90,0\n",
+            "2 problems, the first at line 3, “",
+        ),
+        (b"format = 99\n", "update GearStudio"),
+        (b'format = 1\n[pair]\nouter_module = ""\n', "pair.outer_module: the value is empty"),
+        (b"", "the file is empty"),
+    ],
+)
+def test_a_damaged_file_is_refused_with_what_to_do(bench: Bench, tmp_path, content: bytes, said: str) -> None:
+    path = tmp_path / "a.gear.toml"
+    path.write_bytes(content)
+    bench.files.open_path(path)
+    assert bench.window.messages.text.startswith("a.gear.toml was not opened: ") and said in bench.window.messages.text
+    assert path.read_bytes() == content
+
+
 def test_a_folder_and_a_missing_file_are_refused(bench: Bench, tmp_path) -> None:
-    for path in (tmp_path, tmp_path / "none.gear.toml"):
+    for path, said in ((tmp_path, "this is a folder"), (tmp_path / "none.gear.toml", "there is no such file")):
         assert not bench.files.open_path(path)
-        assert "was not opened" in bench.window.messages.text
+        assert f"{path.name} was not opened: {said}" in bench.window.messages.text
+        assert str(path.parent) not in bench.window.messages.text
+
+
+def test_a_file_without_permission_is_refused(bench: Bench, tmp_path, monkeypatch) -> None:
+    def refuse(path: Path) -> bytes:
+        raise PermissionError(errno.EACCES, "Permission denied", str(path))
+
+    monkeypatch.setattr(Path, "read_bytes", refuse)
+    assert not bench.files.open_path(tmp_path / "a.gear.toml")
+    assert bench.window.messages.text == "a.gear.toml was not opened: no permission; ask who owns it to let you read it"
 
 
 def test_a_design_goes_to_a_file_and_comes_back(bench: Bench, tmp_path, monkeypatch) -> None:
@@ -103,7 +139,9 @@ def test_a_place_that_cannot_be_written_is_told(bench: Bench, tmp_path, monkeypa
     choose_file(monkeypatch, tmp_path / "none" / "a.gear.toml")
     (tmp_path / "none").write_text("a file")
     assert not bench.files.save_as()
-    assert "was not saved" in bench.window.messages.text
+    assert bench.window.messages.text == (
+        "a.gear.toml was not saved: a part of the path is a file, not a folder; choose another folder"
+    )
 
 
 @pytest.mark.parametrize("way", ["close", "new", "preset", "open", "drop"])
