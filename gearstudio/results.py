@@ -1,4 +1,4 @@
-"""What a method made of a member, as plain records that travel between processes."""
+"""What a method made of a member, and points of faces: plain records that travel between parts and processes."""
 
 from __future__ import annotations
 
@@ -185,3 +185,22 @@ class Mesh:
         forward.sort()
         backward.sort()
         return bool(np.all(np.diff(forward) > 0) and np.array_equal(forward, backward))
+
+
+@dataclass(frozen=True)
+class FaceSamples:
+    """Points inside a face.
+
+    Attributes
+    ----------
+    points : ndarray, shape (n, 3)
+        [mm], whatever the file's unit.
+    normals : ndarray, shape (n, 3)
+        Unit vectors; out of the metal where the face belongs to a solid.
+    areas : ndarray, shape (n,)
+        About what each point stands for [mm²].
+    """
+
+    points: Floats
+    normals: Floats
+    areas: Floats

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from gearstudio.analysis.measurement_fit import places
 from gearstudio.errors import GeometryError
+from gearstudio.results import FaceSamples
 from gearstudio.theory.cones import MemberGeometry, PairGeometry
 from gearstudio.theory.modified import flank_on
 
@@ -37,15 +38,6 @@ _TURNS = {
 
 
 @dataclass(frozen=True)
-class Sampled:
-    """Some points of a face: places and unit normals of shape (n, 3) [mm], and what each stands for, (n,) [mm²]."""
-
-    points: Floats
-    normals: Floats
-    areas: Floats
-
-
-@dataclass(frozen=True)
 class FlankFaces:
     """The faces of a model that are flanks.
 
@@ -60,7 +52,7 @@ class FlankFaces:
     shift: float
 
 
-def choose_faces(pair: PairGeometry, member: MemberGeometry, faces: Sequence[Sampled]) -> FlankFaces:
+def choose_faces(pair: PairGeometry, member: MemberGeometry, faces: Sequence[FaceSamples]) -> FlankFaces:
     """Faces that lie where a member's flanks may be and look where they look.
 
     Parameters
@@ -68,7 +60,7 @@ def choose_faces(pair: PairGeometry, member: MemberGeometry, faces: Sequence[Sam
     pair : PairGeometry
         Of the member, for a better message.
     member : MemberGeometry
-    faces : sequence of Sampled
+    faces : sequence of FaceSamples
         All faces of a model, coarsely.
 
     Raises
@@ -84,21 +76,21 @@ def choose_faces(pair: PairGeometry, member: MemberGeometry, faces: Sequence[Sam
     return found
 
 
-def outward(member: MemberGeometry, sampled: Sampled, shift: float) -> Sampled:
+def outward(member: MemberGeometry, sampled: FaceSamples, shift: float) -> FaceSamples:
     """The points of a flank's face that look as its theory does, their normals turned out of the metal."""
     alike, side = _alike(member, sampled, shift)
     chosen = np.abs(alike[side]) > _ALIKE
     sign = np.where(alike[side][chosen].sum() < 0, -1.0, 1.0)
-    return Sampled(sampled.points[chosen], sign * sampled.normals[chosen], sampled.areas[chosen])
+    return FaceSamples(sampled.points[chosen], sign * sampled.normals[chosen], sampled.areas[chosen])
 
 
-def _found(member: MemberGeometry, faces: Sequence[Sampled]) -> FlankFaces:
+def _found(member: MemberGeometry, faces: Sequence[FaceSamples]) -> FlankFaces:
     shift = _shift(member, faces)
     chosen = [index for index, face in enumerate(faces) if _share(member, face, shift) >= _LEAST_SHARE]
     return FlankFaces(tuple(chosen), shift)
 
 
-def _share(member: MemberGeometry, face: Sampled, shift: float) -> float:
+def _share(member: MemberGeometry, face: FaceSamples, shift: float) -> float:
     """Part of a face's area that is like a flank."""
     if not len(face.points):
         return 0.0
@@ -106,14 +98,14 @@ def _share(member: MemberGeometry, face: Sampled, shift: float) -> float:
     return float(face.areas[np.abs(alike[side]) > _ALIKE].sum() / face.areas.sum())
 
 
-def _alike(member: MemberGeometry, face: Sampled, shift: float) -> tuple[Floats, int]:
+def _alike(member: MemberGeometry, face: FaceSamples, shift: float) -> tuple[Floats, int]:
     """Cosines between normals and theory's for each side, shape (2, n), 0 beside the flanks; and the better side."""
     alike = np.stack([_cosines(member, side, face, shift) for side in (1, -1)])
     likeness = np.sum((np.abs(alike) > _ALIKE) * np.abs(alike) * face.areas, axis=1)
     return alike, int(np.argmax(likeness))
 
 
-def _cosines(member: MemberGeometry, side: int, face: Sampled, shift: float) -> Floats:
+def _cosines(member: MemberGeometry, side: int, face: FaceSamples, shift: float) -> Floats:
     """Cosine between each normal and the flank's at this place, wherever about the axis it is; 0 beside the flanks."""
     flank, points = flank_on(member, side), face.points - np.array([0.0, 0.0, shift])
     with np.errstate(all="ignore"):
@@ -134,13 +126,13 @@ def _cosines(member: MemberGeometry, side: int, face: Sampled, shift: float) -> 
     return found
 
 
-def _shift(member: MemberGeometry, faces: Sequence[Sampled]) -> float:
+def _shift(member: MemberGeometry, faces: Sequence[FaceSamples]) -> float:
     """Where along the axis most of the model's area is like flanks; 0 where that is about as good [mm]."""
-    whole = Sampled(
+    whole = FaceSamples(
         *(np.concatenate([getattr(face, name) for face in faces]) for name in ("points", "normals", "areas"))
     )
     every = max(1, len(whole.points) // _SEARCHED_POINTS)
-    some = Sampled(whole.points[::every], whole.normals[::every], whole.areas[::every])
+    some = FaceSamples(whole.points[::every], whole.normals[::every], whole.areas[::every])
     height = whole.points[:, 2]
     low, high = (member.inner_cone_distance * np.cos(member.tip_angle), member.outer_cone_distance)
     first, last = height.min() - high, height.max() - low
@@ -151,19 +143,19 @@ def _shift(member: MemberGeometry, faces: Sequence[Sampled]) -> float:
     return 0.0 if _like_area(member, some, 0.0) >= _STAYS * area else best
 
 
-def _best_shift(member: MemberGeometry, some: Sampled, shifts: Floats) -> tuple[float, float]:
+def _best_shift(member: MemberGeometry, some: FaceSamples, shifts: Floats) -> tuple[float, float]:
     areas = [_like_area(member, some, shift) for shift in shifts]
     best = int(np.argmax(areas))
     return float(shifts[best]), areas[best]
 
 
-def _like_area(member: MemberGeometry, some: Sampled, shift: float) -> float:
+def _like_area(member: MemberGeometry, some: FaceSamples, shift: float) -> float:
     """Area that is like flanks, the closer the more of it."""
     cosines = np.abs([_cosines(member, side, some, shift) for side in (1, -1)]).max(axis=0)
     return float(np.sum(some.areas * np.exp((np.minimum(cosines, 1.0) ** 2 - 1) / _CLOSE**2)))
 
 
-def _reason(pair: PairGeometry, member: MemberGeometry, faces: Sequence[Sampled]) -> str:
+def _reason(pair: PairGeometry, member: MemberGeometry, faces: Sequence[FaceSamples]) -> str:
     """The likeliest reason: what makes most of the model's area like flanks."""
     mate = pair.wheel if member is pair.pinion else pair.pinion
     guesses = [(f"some are flanks of the {mate.name}", mate, 1.0, _AS_IT_IS)]
@@ -179,10 +171,10 @@ def _reason(pair: PairGeometry, member: MemberGeometry, faces: Sequence[Sampled]
     return guesses[best][0] if areas[best] > 0 else "it is a model of another gear, or its axis is not the z axis"
 
 
-def _seen(faces: Sequence[Sampled], factor: float, turn: Floats) -> list[Sampled]:
+def _seen(faces: Sequence[FaceSamples], factor: float, turn: Floats) -> list[FaceSamples]:
     """The model enlarged and turned; the areas stay as they are."""
     return [replace(face, points=factor * face.points @ turn.T, normals=face.normals @ turn.T) for face in faces]
 
 
-def _found_area(member: MemberGeometry, faces: Sequence[Sampled]) -> float:
+def _found_area(member: MemberGeometry, faces: Sequence[FaceSamples]) -> float:
     return float(sum(faces[index].areas.sum() for index in _found(member, faces).indices))

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from gearstudio.analysis.measurement import MeasuredPoints
-from gearstudio.analysis.measurement_faces import Sampled, choose_faces, outward
+from gearstudio.analysis.measurement_faces import choose_faces, outward
 from gearstudio.errors import FileError, GeometryError
 from gearstudio.kernel.sampling import counts_for, read_faces, sample_face
 from gearstudio.theory.cones import PairGeometry
@@ -76,8 +76,7 @@ def sample_step(
     told("choosing faces", _READ)
     coarse = []
     for number, face in enumerate(faces):
-        found = sample_face(face, _COARSE)
-        coarse.append(Sampled(found.points, found.normals, found.areas))
+        coarse.append(sample_face(face, _COARSE))
         told("choosing faces", _READ + (_CHOSEN - _READ) / 2 * number / len(faces))
     try:
         chosen = choose_faces(pair, member, coarse)
@@ -87,6 +86,6 @@ def sample_step(
     for number, index in enumerate(chosen.indices):
         told("taking points", _CHOSEN + (1 - _CHOSEN) * number / len(chosen.indices))
         found = sample_face(faces[index], counts_for(faces[index], apart))
-        parts.append(outward(member, Sampled(found.points, found.normals, found.areas), chosen.shift))
+        parts.append(outward(member, found, chosen.shift))
     points, normals = (np.concatenate([getattr(part, name) for part in parts]) for name in ("points", "normals"))
     return SampledModel(MeasuredPoints(points, normals), chosen.shift, len(chosen.indices), len(faces))

@@ -13,7 +13,8 @@ from gearstudio.exchange.proof import FACE_POINTS, Wanted, check_faces, check_me
 from gearstudio.kernel.boxes import corner_box
 from gearstudio.kernel.cutting import compound
 from gearstudio.kernel.document import Part, located
-from gearstudio.kernel.exchange import Shape, face_points, faces_of, kernel_version, solids_of, verdict
+from gearstudio.kernel.exchange import Shape, faces_of, kernel_version, solids_of, verdict
+from gearstudio.kernel.sampling import face_points
 from gearstudio.results import Mesh
 
 Floats = NDArray[np.float64]

@@ -1,4 +1,4 @@
-"""Files of CAD programs read back: the solids in them, and points of every face."""
+"""Files of CAD programs read back: the solids and faces in them."""
 
 from __future__ import annotations
 
@@ -7,20 +7,15 @@ from functools import cache
 from importlib import metadata
 from pathlib import Path
 
-import numpy as np
-from numpy.typing import NDArray
 from OCP.BinTools import BinTools
 from OCP.BRep import BRep_Builder
-from OCP.BRepAdaptor import BRepAdaptor_Surface
 from OCP.BRepBuilderAPI import BRepBuilderAPI_MakeSolid, BRepBuilderAPI_Sewing
 from OCP.BRepTools import BRepTools
-from OCP.gp import gp_Pnt2d
 from OCP.IFSelect import IFSelect_ReturnStatus
 from OCP.IGESControl import IGESControl_Reader
-from OCP.IntTools import IntTools_FClass2d
 from OCP.Standard import Standard_Failure
 from OCP.STEPControl import STEPControl_Reader
-from OCP.TopAbs import TopAbs_ShapeEnum, TopAbs_State
+from OCP.TopAbs import TopAbs_ShapeEnum
 from OCP.TopoDS import TopoDS, TopoDS_Face, TopoDS_Shape
 
 from gearstudio.errors import FileError
@@ -28,11 +23,9 @@ from gearstudio.kernel.cutting import compound, parts
 from gearstudio.kernel.solids import is_closed, is_valid, solid_volume
 from gearstudio.kernel.step import settle
 
-Floats = NDArray[np.float64]
 Shape = TopoDS_Shape
 
 _SEWN_WITHIN = 1e-4
-_ON_BORDER = 1e-7
 _BINARY_BREP = b"\nOpen CASCADE Topology"
 
 
@@ -69,22 +62,6 @@ def verdict(shape: TopoDS_Shape) -> tuple[bool, bool, float]:
     solids = solids_of(shape)
     closed = bool(solids) and all(is_closed(solid) for solid in solids)
     return bool(solids) and is_valid(shape), closed, sum(solid_volume(solid) for solid in solids)
-
-
-def face_points(face: TopoDS_Face, count: int) -> Floats:
-    """Points of a face on an even grid of its parameters, its border included, shape (n, 3) [mm].
-
-    At most count² points: those beyond a border that cuts through the grid are left out.
-    """
-    surface, inside = BRepAdaptor_Surface(face), IntTools_FClass2d(face, _ON_BORDER)
-    u0, u1, v0, v1 = BRepTools.UVBounds_s(face)
-    found = []
-    for u in np.linspace(u0, u1, count).tolist():
-        for v in np.linspace(v0, v1, count).tolist():
-            if inside.Perform(gp_Pnt2d(u, v)) != TopAbs_State.TopAbs_OUT:
-                point = surface.Value(u, v)
-                found.append((point.X(), point.Y(), point.Z()))
-    return np.array(found, dtype=np.float64).reshape(-1, 3)
 
 
 @cache

@@ -1,8 +1,8 @@
-"""Points with normals from the faces of a STEP file that any program wrote."""
+"""Points of faces, and with normals those of a STEP file that any program wrote."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
@@ -18,31 +18,25 @@ from OCP.TopoDS import TopoDS_Face
 from gearstudio.errors import FileError
 from gearstudio.kernel.exchange import faces_of, read_step
 from gearstudio.kernel.step import settle
+from gearstudio.results import FaceSamples
 
 Floats = NDArray[np.float64]
 
 _PARAMETER_TOLERANCE = 1e-9
+_ON_BORDER = 1e-7
 _MEASURING_POINTS = 9
 _FEWEST, _MOST = 3, 400
 
 
-@dataclass(frozen=True)
-class FaceSamples:
-    """Points inside a face.
+def face_points(face: TopoDS_Face, count: int) -> Floats:
+    """Points of a face on an even grid of its parameters, its border included, shape (n, 3) [mm].
 
-    Attributes
-    ----------
-    points : ndarray, shape (n, 3)
-        [mm], whatever the file's unit.
-    normals : ndarray, shape (n, 3)
-        Unit vectors; out of the metal where the face belongs to a solid.
-    areas : ndarray, shape (n,)
-        About what each point stands for [mm²].
+    At most count² points: those beyond a border that cuts through the grid are left out.
     """
-
-    points: Floats
-    normals: Floats
-    areas: Floats
+    surface, (u0, u1, v0, v1) = BRepAdaptor_Surface(face), BRepTools.UVBounds_s(face)
+    grid = np.linspace(u0, u1, count), np.linspace(v0, v1, count)
+    found = [_place(surface, *uv) for uv in _inside(face, *grid, _ON_BORDER, with_border=True)]
+    return np.array(found, dtype=np.float64).reshape(-1, 3)
 
 
 def read_faces(path: Path) -> list[TopoDS_Face]:
@@ -88,15 +82,12 @@ def sample_face(face: TopoDS_Face, counts: tuple[int, int]) -> FaceSamples:
 
 
 def _sampled(face: TopoDS_Face, counts: tuple[int, int]) -> FaceSamples:
-    surface, inside = BRepAdaptor_Surface(face), IntTools_FClass2d(face, _PARAMETER_TOLERANCE)
-    u0, u1, v0, v1 = BRepTools.UVBounds_s(face)
+    surface, (u0, u1, v0, v1) = BRepAdaptor_Surface(face), BRepTools.UVBounds_s(face)
     step_u, step_v = (u1 - u0) / counts[0], (v1 - v0) / counts[1]
+    grid = u0 + (np.arange(counts[0]) + 0.5) * step_u, v0 + (np.arange(counts[1]) + 0.5) * step_v
     point, along_u, along_v = gp_Pnt(), gp_Vec(), gp_Vec()
     found = []
-    for i, j in np.ndindex(counts):
-        u, v = u0 + (i + 0.5) * step_u, v0 + (j + 0.5) * step_v
-        if inside.Perform(gp_Pnt2d(u, v)) != TopAbs_State.TopAbs_IN:
-            continue
+    for u, v in _inside(face, *grid, _PARAMETER_TOLERANCE):
         surface.D1(u, v, point, along_u, along_v)
         across = along_u.Crossed(along_v)
         found.append((point.X(), point.Y(), point.Z(), across.X(), across.Y(), across.Z()))
@@ -105,6 +96,18 @@ def _sampled(face: TopoDS_Face, counts: tuple[int, int]) -> FaceSamples:
     table, sizes = table[sizes > 0], sizes[sizes > 0]
     sign = -1.0 if face.Orientation() == TopAbs_Orientation.TopAbs_REVERSED else 1.0
     return FaceSamples(table[:, :3], sign * table[:, 3:] / sizes[:, None], sizes * abs(step_u * step_v))
+
+
+def _inside(
+    face: TopoDS_Face, u: Floats, v: Floats, tolerance: float, with_border: bool = False
+) -> Iterator[tuple[float, float]]:
+    """The nodes of a grid of parameters that lie inside a face's border, or on it where that counts."""
+    classifier = IntTools_FClass2d(face, tolerance)
+    for at_u in u.tolist():
+        for at_v in v.tolist():
+            state = classifier.Perform(gp_Pnt2d(at_u, at_v))
+            if state == TopAbs_State.TopAbs_IN or (with_border and state != TopAbs_State.TopAbs_OUT):
+                yield at_u, at_v
 
 
 def _place(surface: BRepAdaptor_Surface, u: float, v: float) -> tuple[float, float, float]:
