@@ -37,7 +37,7 @@ def lay_way(window: MainWindow) -> None:
         bar.setAccessibleName(tr("Panels that share a place"))
     beside = [one for one in stops(area) if not any(one is bar or bar.isAncestorOf(one) for bar in below)]
     docks = [one for one in window.children() if isinstance(one, QDockWidget) and not one.isAncestorOf(window.analysis)]
-    left, right = (window.form, window.derived), (window.layer_panel, window.solid_panel)
+    left, right = (window.form, window.derived), window.sharing.places
     analysis = (window.analysis.bar, window.analysis)
     tab_in_order((window.method_bar, *left, *beside, *below, *right, *analysis, *docks, *bars, window.status))
 

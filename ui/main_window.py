@@ -19,6 +19,7 @@ from ui.method_bar import MethodBar
 from ui.parameter_form import ParameterForm
 from ui.projects.drops import dropped_files
 from ui.session import Session
+from ui.sharing import Sharing
 from ui.solid_panel import SolidPanel
 from ui.status import Status
 from ui.theme import HERE, refresh_icons
@@ -75,6 +76,7 @@ class MainWindow(QMainWindow):
         self.form = ParameterForm()
         self.derived = DerivedPanel()
         self.area = ViewArea()
+        self.sharing = Sharing(self.area, self)
         self.layer_panel = LayerPanel()
         self.solid_panel = SolidPanel()
         self.table = ComparisonTable(session)
@@ -268,10 +270,10 @@ class MainWindow(QMainWindow):
         self._docks = {
             self._dock(noted("Parameters"), self.form): LEFT,
             self._dock(noted("Derived values"), self.derived): LEFT,
-            self._dock(noted("Layers"), self.layer_panel): RIGHT,
+            self._dock(noted("Layers"), self.sharing.shared("Layers", self.layer_panel)): RIGHT,
             self._dock(noted("Analysis"), self.analysis): BOTTOM,
         }
-        self._solid_dock = self._dock(noted("Solid"), self.solid_panel)
+        self._solid_dock = self._dock(noted("Solid"), self.sharing.shared("Solid", self.solid_panel))
         movable = QDockWidget.DockWidgetFeature.DockWidgetMovable | QDockWidget.DockWidgetFeature.DockWidgetFloatable
         self._solid_dock.setFeatures(movable)
         self.addDockWidget(RIGHT, self._solid_dock)

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QRectF, Qt, QTimer
-from PySide6.QtGui import QColor, QLinearGradient, QPainter, QPaintEvent, QPen
+from PySide6.QtCore import QRectF, Qt, QTimer, Signal
+from PySide6.QtGui import QColor, QLinearGradient, QPainter, QPaintEvent, QPen, QResizeEvent
 from PySide6.QtWidgets import QFrame, QGridLayout, QStackedLayout, QVBoxLayout, QWidget
 
 from ui.messages import MessageBar
@@ -64,7 +64,14 @@ class Placeholder(QWidget):
 
 
 class ViewArea(QWidget):
-    """Message bar, views, colour scale and roll slider; the views come later than the rest."""
+    """Message bar, views, colour scale and roll slider; the views come later than the rest.
+
+    Signals
+    -------
+    resized()
+    """
+
+    resized = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -107,6 +114,10 @@ class ViewArea(QWidget):
     def add_panel(self, panel: QWidget) -> None:
         """Take a panel to the right of the colour scale."""
         self._inside.addWidget(panel, 0, 2)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self.resized.emit()
 
     def close_views(self) -> None:
         """Let go of the renderer before the window goes; may be called twice."""

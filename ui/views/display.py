@@ -59,8 +59,7 @@ class Display(QObject):
         self.panel = DisplayPanel()
         self.panel.changed.connect(self.show_appearance)
         self.panel.close_wanted.connect(lambda: self._action.setChecked(False))
-        self.panel.hide()
-        area.add_panel(self.panel)
+        self._window.sharing.adopt(self.panel)
         area.grid.visible_changed.connect(self._presenter.redraw_soon)
         self.picks.views_ready()
         self._fill_undock_menu()
@@ -138,8 +137,7 @@ class Display(QObject):
             self.show_appearance(self._grid.appearance.with_look(layer_id, look))
 
     def _show_panel(self, on: bool) -> None:
-        if self.panel is not None:
-            self.panel.setVisible(on)
+        self._window.sharing.set_open(on)
         self._remember.start()
 
     def _show_full_screen(self, on: bool) -> None:
