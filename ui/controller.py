@@ -14,6 +14,7 @@ from ui.builds import Builds
 from ui.edits import Edits
 from ui.export_dialog import export_report
 from ui.help.desk import HelpDesk
+from ui.kernel_messages import KernelMessages
 from ui.presenter import Presenter, view_title
 from ui.reporting.reporting import Reporting
 from ui.session import Key, Session
@@ -62,6 +63,7 @@ class Controller(QObject):
         self.display = Display(session, window, self.presenter, self.solid_mode, self)
         self.reporting = Reporting(session, window, self.solid_mode, self)
         self.help = HelpDesk(session, window)
+        self.kernel_messages = KernelMessages(window.messages, self)
         self.runner: JobRunner | None = None
         self._connect_form()
         self._connect_selection()
@@ -85,6 +87,7 @@ class Controller(QObject):
     def use_runner(self, runner: JobRunner) -> None:
         """The CAD process can be started."""
         self.runner = runner
+        self.kernel_messages.use(runner)
         self._on_worker_state_changed(*self.worker_state)
         runner.worker_state_changed.connect(self._on_worker_state_changed)
         self.builds.use(runner)
@@ -268,14 +271,7 @@ class Controller(QObject):
         log.info("CAD process: %s %s", state, reason)
         self.worker_state = (state, reason)
         self.window.status.show_worker(state)
-        if state == "replaced":
-            text = tr("The CAD kernel stopped unexpectedly and is being restarted; nothing of the design is lost.")
-            self.window.messages.show_message("warning", text, reason, topic="worker")
-        elif state == "stopped" and reason:
-            text = tr("The CAD kernel could not be started. Model ▸ Restart CAD kernel tries again.")
-            self.window.messages.show_message("error", text, reason, topic="worker")
-        elif state in ("ready", "busy"):
-            self.window.messages.clear("worker")
+        self.kernel_messages.show_state(state, reason)
 
     def _on_export_done(self, job: Job, files: Any) -> None:
         if job.purpose != "export":

@@ -12,6 +12,7 @@ from multiprocessing.connection import Connection, wait
 
 from gearstudio import wire, worker
 from gearstudio.jobs import Job
+from gearstudio.words import noted
 from ui.job_events import (
     Event,
     JobCancelled,
@@ -31,6 +32,8 @@ log = logging.getLogger(__name__)
 START_ATTEMPTS = 3
 START_DELAY = 0.5
 LAST_PATIENCE = 1.0
+DIED = noted("the CAD process died each time it tried")
+"""What is said of a job that was given up."""
 
 
 class JobThread(threading.Thread):
@@ -276,7 +279,7 @@ class JobThread(threading.Thread):
         log.warning("lost the CAD process: %s", reason)
         self._clear_up(self._queue.running, process)
         if given_up := self._queue.retry():
-            self._post(JobFailed(given_up, f"the CAD process died each time it tried: {reason}"))
+            self._post(JobFailed(given_up, f"{DIED}: {reason}"))
         if process.ready:
             self._start_soon("replaced", reason)
         else:

@@ -135,7 +135,7 @@ def test_the_state_of_the_cad_process_is_shown(bench: Bench) -> None:
         runner.worker_state_changed.emit(state, "")
         assert status._worker.text().startswith("CAD kernel")
     runner.worker_state_changed.emit("replaced", "it was killed (SIGKILL)")
-    assert "restarted" in bench.window.messages.text
+    assert "is being started again" in bench.window.messages.text
     runner.worker_state_changed.emit("stopped", "three times")
     assert "could not be started" in bench.window.messages.text
     bench.window.commands["restart"].trigger()
