@@ -58,7 +58,7 @@ def _round(studio: Studio, watch: Watch, index: int) -> list[Gaps]:
         return Gaps(name, 1e3 * max(watch.gaps(watch.frames)), 1e3 * max(watch.gaps()))
 
     def drag() -> None:
-        slider = panel.section_slider
+        slider = panel.section.slider
         for step in range(STEPS):
             slider.setValue(round(slider.maximum() * (0.25 + 0.5 * step / STEPS)))
             pause(_STEP_MS)
@@ -68,9 +68,9 @@ def _round(studio: Studio, watch: Watch, index: int) -> list[Gaps]:
         watched("gear, built" if first else "gear, there", lambda: mode.set_mode("gear")),
         watched("flanks again", lambda: mode.set_mode("flanks")),
         watched("pair, built" if first else "pair, there", lambda: mode.set_mode("pair")),
-        watched("section on", lambda: panel.section_box.setChecked(True)),
+        watched("section on", lambda: panel.section.box.setChecked(True)),
         watched("section dragged", drag),
-        watched("section off", lambda: panel.section_box.setChecked(False)),
+        watched("section off", lambda: panel.section.box.setChecked(False)),
     ]
     mode.set_mode("flanks")
     pause(_REST_MS)

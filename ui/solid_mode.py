@@ -72,8 +72,8 @@ class SolidMode(QObject):
         self._panel.automatic_switched.connect(self.solids.set_automatic)
         self._panel.construction_chosen.connect(self.solids.set_construction)
         self._panel.looks_changed.connect(self.redraw)
-        self._panel.section_changed.connect(self._on_section)
-        self._panel.section_side_wanted.connect(self._choose_side)
+        self._panel.section.changed.connect(self._on_section)
+        self._panel.section.side_wanted.connect(self._choose_side)
         self._panel.measure_switched.connect(self._on_measure)
         self.solids.changed.connect(self.redraw_soon)
         session.design_changed.connect(self.redraw_soon)
@@ -155,7 +155,7 @@ class SolidMode(QObject):
             self._leaving.start()
         else:
             self._leaving.stop()
-            self._panel.set_section_axis("y", 0.0)
+            self._panel.section.set_axis("y", 0.0)
             self._choose_side()
             self.redraw_soon()
         self.mode_changed.emit(mode)
@@ -224,8 +224,8 @@ class SolidMode(QObject):
                 self.measuring.clear()
         if self.pointer is not None:
             self.pointer.show_solids({key.member: built for key, built in order.built.items()})
-        if (extent := self.view.extent(self._panel.axis)) is not None:
-            self._panel.set_section_range(*extent)
+        if (extent := self.view.extent(self._panel.section.axis)) is not None:
+            self._panel.section.set_range(*extent)
         self._show_colors()
         if self._to_fit:
             self._to_fit = len(self.view.gears) < len(self.keys)
@@ -292,7 +292,7 @@ class SolidMode(QObject):
     def _choose_side(self) -> None:
         """Take away the side that one looks at."""
         if self.view is not None:
-            self._panel.set_section_side(1 if self.view.grid.viewport.look.back[self._panel.axis] >= 0 else -1)
+            self._panel.section.set_side(1 if self.view.grid.viewport.look.back[self._panel.section.axis] >= 0 else -1)
 
     def _on_measure(self, on: bool) -> None:
         if self.measuring is not None and self.pointer is not None:

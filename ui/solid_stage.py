@@ -49,7 +49,7 @@ class SolidStage(QObject):
         self, pair: PairGeometry, keys: tuple[Key, ...], built: Mapping[Key, Built], panel: SolidPanel, motion: Motion
     ) -> None:
         """Show what there is of these solids, as a panel wants them, soon."""
-        options, section = SolidOptions(panel.edges, panel.deviation), panel.section
+        options, section = SolidOptions(panel.edges, panel.deviation), panel.section.plane
         plane = None if section is None else Plane(*section)
         there = {key: built[key] for key in keys if key in built}
         cut = "" if motion == "turning" or plane is None else "coarse" if motion == "sliding" else "fine"

@@ -66,18 +66,18 @@ def test_what_is_put_up_was_made_elsewhere(bench: Bench, qtbot, monkeypatch) -> 
 def test_a_moving_section_ends_with_the_newest_place_cut_finely(bench: Bench, qtbot) -> None:
     mode = show(bench, qtbot)
     panel = bench.window.solid_panel
-    panel.section_box.setChecked(True)
+    panel.section.box.setChecked(True)
     shown: list = []
     mode._stage.changed.connect(lambda order, _other: shown.append(order))
     for value in range(100, 300, 4):
-        panel.section_slider.setValue(value)
-    axis, place, _ = panel.section
+        panel.section.slider.setValue(value)
+    axis, place, _ = panel.section.plane
     qtbot.waitUntil(lambda: bool(shown) and shown[-1].cut == "fine", timeout=PATIENCE_MS)
     assert mode.view.plane.axis == axis and mode.view.plane.place == place
     assert len(shown) < 20
     cut = next(layer for layer in mode.view.layers if layer.part == "wheel cut")
     assert np.allclose(cut.points[:, axis], place)
-    panel.section_box.setChecked(False)
+    panel.section.box.setChecked(False)
     qtbot.waitUntil(lambda: mode.view.plane is None, timeout=PATIENCE_MS)
     assert not any(layer.part == "wheel cut" for layer in mode.view.layers)
 

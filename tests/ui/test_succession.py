@@ -171,7 +171,7 @@ def test_the_dialog_stands_open_in_the_new_language_and_solids_stay(studio: Stud
     grid = studio.window.area.grid
     grid.viewport.set_camera(grid.viewport.look.turned(0.4, 0.2))
     eye = grid.viewport.look.eye
-    studio.window.solid_panel.section_box.click()
+    studio.window.solid_panel.section.box.click()
     studio.habits.open_preferences(0)
     dialog = studio.window.findChild(PreferencesDialog)
     combo = dialog.editors["language"]
@@ -184,7 +184,7 @@ def test_the_dialog_stands_open_in_the_new_language_and_solids_stay(studio: Stud
     assert dialogs[0].findChild(QWidget, options=Qt.FindChildOption.FindDirectChildrenOnly) is not None
     dialogs[0].close()
     assert studio.controller.solid_mode.solids is solids and solids.built == built
-    assert studio.controller.solid_mode.mode == "gear" and studio.window.solid_panel.section is not None
+    assert studio.controller.solid_mode.mode == "gear" and studio.window.solid_panel.section.plane is not None
     qtbot.waitUntil(lambda: [p.key for p in studio.window.area.grid.panels] == ["solid"], timeout=10_000)
     qtbot.wait(100)
     assert studio.window.area.grid.viewport.look.eye == pytest.approx(eye)
