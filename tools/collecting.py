@@ -25,9 +25,10 @@ _QUIET_WINDOW = {
     "sentences",
 }
 """Modules of the window whose tables are not for people, or for the command line."""
-_QUIET_CORE = ("cli", "equations", "presets", "catalogue", "formats", "design/model", "design/modifications",
-               "design/choices", "exchange/stl", "exchange/threemf", "exchange/points", "analysis/datasheet",
-               "analysis/selfcheck", "wire", "worker")  # fmt: skip
+_QUIET_CORE = ("cli", "equations", "presets", "catalogue", "formats", "design/model", "design/pair",
+               "design/lengthwise", "design/tooth", "design/blank", "design/modifications", "design/choices",
+               "exchange/stl", "exchange/threemf", "exchange/points", "analysis/datasheet", "analysis/selfcheck",
+               "wire", "worker")  # fmt: skip
 """Modules of the core whose texts are tables (collected as such), files or output of the command line."""
 _TITLE = re.compile(r"^[✓✗]? ?&?[A-Z][a-z&]|[A-Za-z]{2,} [A-Za-z(“]")
 _NO_TITLE = re.compile(r"^(Ctrl|Shift|Alt)\+|;;.*\*|^[\w.]*_[\w.]*$|Keys\.|::|^#|^[A-Z][a-z]+[A-Z]\w+$|^\w+ \{")
