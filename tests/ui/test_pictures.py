@@ -154,7 +154,7 @@ class TestFilms:
         for key in mode.keys:
             mode.solids.built[key] = meshed(design, solid_of(design, key.member))
         mode.redraw()
-        qtbot.waitUntil(lambda: len(mode.view.gears) == 2, timeout=20000)
+        qtbot.waitUntil(lambda: len(mode.sight.view.gears) == 2, timeout=20000)
         return mode
 
     @pytest.mark.parametrize("suffix", ["mp4", "gif"])
@@ -178,7 +178,7 @@ class TestFilms:
         from ui.views.pictures import PictureOptions, at_once, painted, stand_in
 
         mode = self.show_pair(bench, qtbot)
-        motion = meshing(bench.session.pair, mode.view)
+        motion = meshing(bench.session.pair, mode.sight.view)
         copy = stand_in(grid_of(bench), QSize(640, 480))
         looks = list(copy.viewport.looks)
         shown = []

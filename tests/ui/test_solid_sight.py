@@ -32,7 +32,7 @@ def show(bench: Bench, qtbot, name: str = "gear"):
     for key in mode.keys:
         mode.solids.built[key] = meshed(bench.session.design, solid_of(bench.session.design, key.member))
     mode.redraw()
-    qtbot.waitUntil(lambda: len(mode.view.gears) == len(mode.keys), timeout=PATIENCE_MS)
+    qtbot.waitUntil(lambda: len(mode.sight.view.gears) == len(mode.keys), timeout=PATIENCE_MS)
     return mode
 
 
@@ -44,7 +44,7 @@ def test_gears_come_and_flanks_return_as_they_were(bench: Bench, qtbot) -> None:
     mode.set_mode("flanks")
     qtbot.waitUntil(lambda: [panel.key for panel in grid.panels] == before, timeout=PATIENCE_MS)
     assert np.allclose(grid.viewport.look.focal, look.focal)
-    assert mode.view.plane is None and not mode.view.gears
+    assert mode.sight.view.plane is None and not mode.sight.view.gears
 
 
 def test_what_is_put_up_was_made_elsewhere(bench: Bench, qtbot, monkeypatch) -> None:
@@ -59,7 +59,7 @@ def test_what_is_put_up_was_made_elsewhere(bench: Bench, qtbot, monkeypatch) -> 
     monkeypatch.setattr(Workshop, "make", watched)
     mode = show(bench, qtbot)
     assert threads and threading.main_thread() not in threads
-    layer = next(layer for layer in mode.view.layers if layer.kind == "surface")
+    layer = next(layer for layer in mode.sight.view.layers if layer.kind == "surface")
     assert {"bounds", "single", "pick_mesh"} <= vars(layer).keys()
 
 
@@ -68,18 +68,18 @@ def test_a_moving_section_ends_with_the_newest_place_cut_finely(bench: Bench, qt
     panel = bench.window.solid_panel
     panel.section.box.setChecked(True)
     shown: list = []
-    mode._stage.changed.connect(lambda order, _other: shown.append(order))
+    mode.sight.stage.changed.connect(lambda order, _other: shown.append(order))
     for value in range(100, 300, 4):
         panel.section.slider.setValue(value)
     axis, place, _ = panel.section.plane
     qtbot.waitUntil(lambda: bool(shown) and shown[-1].cut == "fine", timeout=PATIENCE_MS)
-    assert mode.view.plane.axis == axis and mode.view.plane.place == place
+    assert mode.sight.view.plane.axis == axis and mode.sight.view.plane.place == place
     assert len(shown) < 20
-    cut = next(layer for layer in mode.view.layers if layer.part == "wheel cut")
+    cut = next(layer for layer in mode.sight.view.layers if layer.part == "wheel cut")
     assert np.allclose(cut.points[:, axis], place)
     panel.section.box.setChecked(False)
-    qtbot.waitUntil(lambda: mode.view.plane is None, timeout=PATIENCE_MS)
-    assert not any(layer.part == "wheel cut" for layer in mode.view.layers)
+    qtbot.waitUntil(lambda: mode.sight.view.plane is None, timeout=PATIENCE_MS)
+    assert not any(layer.part == "wheel cut" for layer in mode.sight.view.layers)
 
 
 def test_an_older_gear_is_not_put_up_after_the_mode_is_left(bench: Bench, qtbot) -> None:
@@ -108,7 +108,7 @@ def test_a_pinned_place_is_told_with_face_coordinates_and_methods(bench: Bench, 
     mode, grid = show(bench, qtbot), bench.window.area.grid
     card, pointing = bench.controller.display.picks.card, grid.pointing
     view = grid.viewport
-    flanks = mode.view.gears[0].fine.flanks
+    flanks = mode.sight.view.gears[0].fine.flanks
     seen = view.look.project(flanks.points)
     for x, y in seen[:: max(len(seen) // 60, 1)]:
         view.clicked.emit(view.place_of(0, float(x), float(y)))
@@ -129,7 +129,7 @@ def test_while_measuring_a_click_pins_nothing(bench: Bench, qtbot) -> None:
     mode, grid = show(bench, qtbot), bench.window.area.grid
     bench.window.solid_panel._measure.setChecked(True)
     grid.viewport.clicked.emit(QPointF(0.5 * grid.width(), 0.75 * grid.height()))
-    assert grid.pointing.pin is None and len(mode.measuring.points) == 1
+    assert grid.pointing.pin is None and len(mode.sight.measuring.points) == 1
     bench.window.solid_panel._measure.setChecked(False)
     grid.viewport.clicked.emit(QPointF(0.5 * grid.width(), 0.75 * grid.height()))
     assert grid.pointing.pin is not None

@@ -126,8 +126,8 @@ class Display(QObject):
 
         solid, session = self._solid_mode, self._session
         found = [turntable()]
-        if solid.mode == "pair" and solid.view is not None and session.pair is not None and solid.view.gears:
-            found.append(meshing(session.pair, solid.view))
+        if solid.mode == "pair" and solid.sight is not None and session.pair is not None and solid.sight.view.gears:
+            found.append(meshing(session.pair, solid.sight.view))
         if solid.mode == "flanks" and session.pair is not None:
             found.append(rolling(session.pair.member(session.member), self._presenter.flank))
         return tuple(found)
