@@ -12,7 +12,7 @@ from gearstudio.design import Design
 from gearstudio.errors import DesignError, FileError
 from ui.export_dialog import ExportDialog
 from ui.projects.lock import ProjectLock, ask_how_to_open
-from ui.projects.problems import not_opened
+from ui.projects.problems import not_opened, problem_line
 from ui.session import Session
 from ui.words import noted, told, tr
 
@@ -211,7 +211,7 @@ class Files(QObject):
                 count=len(wrong),
                 name=path.name,
             )
-            self._window.messages.show_message("warning", text, "\n".join(map(told, wrong)), topic="file")
+            self._window.messages.show_message("warning", text, "\n".join(map(problem_line, wrong)), topic="file")
             return False
         self._window.messages.clear("file")
         return True

@@ -13,6 +13,7 @@ from pathlib import Path
 from time import monotonic, sleep
 
 import pytest
+from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QMessageBox
 
 from gearstudio.design import Design
@@ -24,7 +25,7 @@ from ui.projects import autosave
 from ui.projects.autosave import Autosave, abandoned
 from ui.projects.desk import Desk
 from ui.projects.snapshot import Snapshot, read_snapshot, write_snapshot
-from ui.projects.versions import changed_fields, recovered_version, saved_version
+from ui.projects.versions import Change, changed_fields, recovered_version, saved_version
 from ui.session import flatten
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -147,7 +148,8 @@ def test_both_versions_are_offered_with_dates_and_validity(place: Place, tmp_pat
     dialog = place.desk.offer_recovery()
     rows = {dialog.list.topLevelItem(row).text(0): dialog.list.topLevelItem(row) for row in range(4)}
     assert rows["good"].text(1).endswith("valid") and rows["good"].text(2).endswith("\nvalid")
-    assert "2 problems" in rows["bad"].text(2) and "pair.outer_module" in rows["bad"].toolTip(2)
+    assert "2 problems" in rows["bad"].text(2)
+    assert 'Outer module (Pair): "wide" is not a number' in rows["bad"].toolTip(2)
     assert "never saved" in rows["new"].text(1) and "gone" in rows["gone"].text(1)
     assert str(datetime.now().year) in rows["good"].text(2)
     assert abandoned(place.folder / "recovery") == [], "what is offered here is not offered elsewhere"
@@ -161,13 +163,40 @@ def choose(dialog, title: str) -> None:
     dialog.list.setCurrentItem(item)
 
 
+def shown_changes(dialog) -> list[Change]:
+    rows = [dialog.changes.topLevelItem(row) for row in range(dialog.changes.topLevelItemCount())]
+    return [Change(*(row.text(column) for column in range(3))) for row in rows]
+
+
+def test_what_differs_is_shown_as_the_form_calls_it_with_units(place: Place, tmp_path) -> None:
+    path = tmp_path / "axle.gear.toml"
+    save_design(path, Design())
+    values = {"pair.face_width": 30.5, ANGLE: 30.0, "lengthwise.curve": "logarithmic", "pair.outer_module": ""}
+    left_behind(place.folder, path, "some", **values)
+    left_behind(place.folder, path, "none")
+    dialog = place.desk.offer_recovery()
+    dialog.list.setCurrentItem(dialog.list.findItems("some", Qt.MatchFlag.MatchExactly)[0])
+    assert {one.title: (one.before, one.after) for one in shown_changes(dialog)} == {
+        "Outer module (Pair)": ("4 mm", "empty"),
+        "Face width (Pair)": ("derived", "30.5 mm"),
+        "Spiral angle (Lengthwise curve)": ("35°", "30°"),
+        "Lengthwise curve": ("Circular arc (milled)", "Logarithmic spiral"),
+    }
+    dialog.list.setCurrentItem(dialog.list.findItems("none", Qt.MatchFlag.MatchExactly)[0])
+    assert not dialog.changes.isVisible() and "the same" in dialog.details.text()
+
+
 def test_the_recovered_version_is_opened_and_undo_gives_the_saved_one(place: Place, tmp_path, qtbot) -> None:
     path = tmp_path / "axle.gear.toml"
     save_design(path, PRESETS[4].design)
     draft = flatten(PRESETS[4].design)
     file = left_behind(place.folder, path, "axle", **{**draft, TEETH: 47, "pair.outer_module": "wide"})
     dialog = place.desk.offer_recovery()
-    assert "Wheel teeth" in dialog.details.text() and "Outer module" in dialog.details.text()
+    assert [str(one) for one in shown_changes(dialog)] == [
+        "Wheel teeth (Pair): 41 → 47",
+        "Outer module (Pair): 4.6 mm → “wide”",
+    ]
+    assert "pair." not in dialog.details.text()
     dialog.recover.click()
     session = place.bench.session
     assert (session.path, session.draft[TEETH], session.draft["pair.outer_module"]) == (path, 47, "wide")

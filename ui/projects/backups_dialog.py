@@ -20,10 +20,11 @@ from PySide6.QtWidgets import (
 )
 
 from ui.projects.backups import Backup, Backups
-from ui.projects.versions import Version, changed_fields, field_title, saved_version, short_date
+from ui.projects.versions import Version, changes, saved_version, short_date
 from ui.words import tr
 
 DATE_WIDTH, STATE_WIDTH = 170, 230
+MOST_CHANGES = 30
 
 
 class BackupsDialog(QDialog):
@@ -87,11 +88,11 @@ class BackupsDialog(QDialog):
         copies: list[Backup] = self._backups.of(path) if path is not None else []
         self._versions = [saved_version(copy.file) for copy in copies]
         for copy, version in zip(copies, self._versions, strict=True):
-            fields = [field_title(field) for field in changed_fields(self._draft, version.draft)]
-            difference = ", ".join(fields) or tr("nothing")
+            changed = changes(self._draft, version.draft)
+            difference = "; ".join(map(str, changed)) or tr("nothing")
             item = QTreeWidgetItem([short_date(copy.when), version.verdict, difference if version.draft else ""])
             item.setToolTip(1, "\n".join(version.problems))
-            item.setToolTip(2, difference)
+            item.setToolTip(2, "\n".join(map(str, changed[:MOST_CHANGES])))
             self.list.addTopLevelItem(item)
         self.list.setCurrentIndex(self.list.model().index(0, 0))
         self._on_current_changed()

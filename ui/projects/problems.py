@@ -1,11 +1,13 @@
-"""What a user is told of a design file that could not be opened."""
+"""What a user is told of designs and files with problems."""
 
 from __future__ import annotations
 
 from pathlib import Path
 
-from gearstudio.errors import DesignError, FileError
-from ui.words import told, tr
+from gearstudio.design import all_field_specs
+from gearstudio.errors import DesignError, FileError, Issue
+from ui.explain import problem_text
+from ui.words import retold, told, tr
 
 
 def not_opened(path: Path, error: DesignError | FileError) -> tuple[str, str]:
@@ -22,6 +24,24 @@ def not_opened(path: Path, error: DesignError | FileError) -> tuple[str, str]:
         problem=told(error.issues[0]),
     )
     return text, details
+
+
+@retold
+def field_title(field: str) -> str:
+    """The name of a field as the form shows it, with the group it stands in."""
+    spec = all_field_specs().get(field)
+    if spec is None:
+        return field
+    return tr(spec.title) if spec.title == spec.group else f"{tr(spec.title)} ({tr(spec.group)})"
+
+
+@retold
+def problem_line(issue: Issue) -> str:
+    """A problem of a draft, with its field as the form shows it; one of a file as a whole as it is."""
+    spec = all_field_specs().get(issue.field)
+    if spec is None:
+        return str(told(issue))
+    return f"{field_title(issue.field)}: {problem_text(issue.message, spec)}"
 
 
 def _line(path: Path, problem: object) -> str:

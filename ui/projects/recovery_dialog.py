@@ -18,10 +18,10 @@ from PySide6.QtWidgets import (
 )
 
 from ui.projects.autosave import Abandoned
-from ui.projects.versions import Version, changed_fields, field_title, recovered_version, saved_version
+from ui.projects.versions import Change, Version, changes, recovered_version, saved_version
 from ui.words import tr
 
-MOST_FIELDS, MOST_PROBLEMS = 12, 4
+MOST_PROBLEMS = 4
 ONE_LINE = 40
 """Letters of a verdict for which a line is enough."""
 
@@ -43,7 +43,7 @@ class RecoveryDialog(QDialog):
     def __init__(self, found: list[Abandoned], parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setWindowTitle(tr("Recover unsaved work"))
-        self.resize(820, 400)
+        self.resize(820, 500)
         self._left = list(found)
         self._versions: dict[str, tuple[Version, Version]] = {}
         head = QLabel(tr("GearStudio ended unexpectedly. Of these designs it kept edits that were not saved."))
@@ -56,6 +56,7 @@ class RecoveryDialog(QDialog):
         self.list.header().setSectionResizeMode(QHeaderView.ResizeMode.Stretch)
         self.list.header().setSectionResizeMode(0, QHeaderView.ResizeMode.ResizeToContents)
         self.list.setWordWrap(True)
+        self.changes = _table_of_changes()
         self.details = QLabel()
         self.details.setWordWrap(True)
         self.details.setProperty("role", "muted")
@@ -71,6 +72,7 @@ class RecoveryDialog(QDialog):
         layout.setSpacing(10)
         layout.addWidget(head)
         layout.addWidget(self.list, 1)
+        layout.addWidget(self.changes, 1)
         layout.addWidget(self.details)
         layout.addWidget(buttons)
         self.recover.clicked.connect(self._on_recover)
@@ -110,18 +112,26 @@ class RecoveryDialog(QDialog):
             button.setEnabled(one is not None)
         self.saved.setEnabled(one is not None and self._versions[one.file.name][0].draft is not None)
         if one is None:
+            self._show_changes([])
             self.details.clear()
             return
         saved, recovered = self._versions[one.file.name]
-        wrong = "\n".join(("", *recovered.problems[:MOST_PROBLEMS]))
+        changed = [] if saved.draft is None else changes(saved.draft, recovered.draft)
+        self._show_changes(changed)
+        words = [] if changed else [tr("Both are the same.")]
         if saved.draft is None:
-            self.details.setText(str(one.snapshot.path or tr("This design was never saved.")) + wrong)
-            return
-        fields = [field_title(field) for field in changed_fields(saved.draft, recovered.draft)]
-        more = tr(" and {count} more", count=len(fields) - MOST_FIELDS) if len(fields) > MOST_FIELDS else ""
-        names = ", ".join(fields[:MOST_FIELDS]) + more
-        words = tr("Different: {fields}", fields=names) if fields else tr("Both are the same.")
-        self.details.setText(words + wrong)
+            words = [str(one.snapshot.path or tr("This design was never saved."))]
+        self.details.setText("\n".join((*words, *recovered.problems[:MOST_PROBLEMS])))
+        self.details.setVisible(bool(self.details.text()))
+
+    def _show_changes(self, changed: list[Change]) -> None:
+        self.changes.clear()
+        for one in changed:
+            item = QTreeWidgetItem([one.title, one.before, one.after])
+            for column, text in enumerate((one.title, one.before, one.after)):
+                item.setToolTip(column, text)
+            self.changes.addTopLevelItem(item)
+        self.changes.setVisible(bool(changed))
 
     def _on_recover(self) -> None:
         one = self._current()
@@ -170,3 +180,15 @@ def _button(box: QDialogButtonBox, text: str, tip: str) -> QPushButton:
     button = box.addButton(text, QDialogButtonBox.ButtonRole.ActionRole)
     button.setToolTip(tip)
     return button
+
+
+def _table_of_changes() -> QTreeWidget:
+    table = QTreeWidget()
+    table.setRootIsDecorated(False)
+    table.setHeaderLabels([tr("Parameter"), tr("Saved"), tr("Recovered")])
+    table.setAccessibleName(tr("Parameters that differ"))
+    table.setToolTip(tr("The parameters that differ, as they were saved and as they were recovered"))
+    table.setSelectionMode(QAbstractItemView.SelectionMode.NoSelection)
+    table.header().setSectionResizeMode(QHeaderView.ResizeMode.Stretch)
+    table.header().setSectionResizeMode(0, QHeaderView.ResizeMode.ResizeToContents)
+    return table

@@ -10,8 +10,10 @@ from typing import Any
 
 from PySide6.QtCore import QDateTime, QLocale, Qt
 
-from gearstudio.design import Design
+from gearstudio.design import Design, all_field_specs
 from gearstudio.errors import DesignError, FileError, GeometryError
+from ui.explain import field_value_text
+from ui.projects.problems import field_title, problem_line
 from ui.projects.snapshot import Snapshot
 from ui.session import flatten, nest
 from ui.words import told, tr
@@ -47,6 +49,18 @@ class Version:
         return short_date(self.when) if self.when else "–"
 
 
+@dataclass(frozen=True)
+class Change:
+    """A field as the form calls it, and its value in two drafts, with units."""
+
+    title: str
+    before: str
+    after: str
+
+    def __str__(self) -> str:
+        return f"{self.title}: {self.before} → {self.after}"
+
+
 def saved_version(path: Path | None) -> Version:
     """What the design file holds."""
     from gearstudio.project import load_design
@@ -60,7 +74,7 @@ def saved_version(path: Path | None) -> Version:
     try:
         return judged(when, flatten(load_design(path)))
     except DesignError as error:
-        return Version(when, None, tuple(map(told, error.issues)))
+        return Version(when, None, tuple(map(problem_line, error.issues)))
     except FileError as error:
         return Version(when, None, (told(error.reason),))
 
@@ -78,7 +92,7 @@ def judged(when: datetime, draft: Mapping[str, Any]) -> Version:
     from gearstudio.validation import read_design
 
     design, issues = read_design(nest(draft))
-    problems = tuple(told(issue) for issue in issues if issue.severity == "error")
+    problems = tuple(problem_line(issue) for issue in issues if issue.severity == "error")
     if design is not None and not problems:
         try:
             pair_geometry(design)
@@ -93,12 +107,19 @@ def changed_fields(one: Mapping[str, Any] | None, other: Mapping[str, Any] | Non
     return [field for field in {**one, **other} if one.get(field) != other.get(field)]
 
 
-def field_title(field: str) -> str:
-    """The name of a field as the form shows it, with the group it stands in."""
-    from gearstudio.design import all_field_specs
+def changes(one: Mapping[str, Any] | None, other: Mapping[str, Any] | None) -> list[Change]:
+    """What became of the fields in which two drafts differ, in the order of the form."""
+    return [
+        Change(field_title(field), *(_value_text(field, (draft or {}).get(field)) for draft in (one, other)))
+        for field in changed_fields(one, other)
+    ]
 
+
+def _value_text(field: str, value: object) -> str:
     spec = all_field_specs().get(field)
-    return f"{tr(spec.title)} ({tr(spec.group)})" if spec else field
+    if spec is None:
+        return str(value)
+    return tr("empty") if value == "" else str(field_value_text(spec, value))
 
 
 def short_date(when: datetime) -> str:
