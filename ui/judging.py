@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from gearstudio.design import Design
     from gearstudio.theory.cones import PairGeometry
 
-AT_ONCE_S = 0.02
+AT_ONCE_S = 0.01
 """What is judged in this time is there when the edit ends."""
 
 _PATIENCE_S = 0.3

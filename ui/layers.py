@@ -127,12 +127,16 @@ class Layer:
         """Its triangles, ready for rays."""
         return PickMesh(self.points, self.cells)
 
-    def prepare(self) -> None:
-        """Compute, in whatever thread this is, what showing and pointing will need."""
+    def load(self) -> None:
+        """Compute, in whatever thread this is, what showing will need."""
         if len(self.points):
             _ = self.bounds, self.single
-            if self.kind == "surface":
-                _ = self.pick_mesh
+
+    def prepare(self) -> None:
+        """Compute, in whatever thread this is, what showing and pointing will need."""
+        self.load()
+        if len(self.points) and self.kind == "surface":
+            _ = self.pick_mesh
 
 
 @dataclass(frozen=True)

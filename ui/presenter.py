@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, QTimer, Slot
 
 from ui.formatting import METHOD_TITLES, VARIANT_TITLES, micrometres
+from ui.scenery import Rolled, Scene, Scenery, Sight, make_rolled
 from ui.session import Key, Session
 from ui.views.wardrobe import Wardrobe
 from ui.words import inline, retold, told, tr
@@ -15,6 +16,7 @@ from ui.words import inline, retold, told, tr
 if TYPE_CHECKING:
     from gearstudio.results import VariantResult
     from gearstudio.theory.cones import MemberGeometry
+    from gearstudio.theory.flank import FlankName
     from ui.layers import Layer, Panel
     from ui.view_area import ViewArea
     from ui.views.appearance import Appearance
@@ -75,16 +77,18 @@ class Presenter(QObject):
         self._area = area
         self.active = True
         self._roll = 1.0
-        self._flank = "concave"
-        self._rolled: tuple[tuple[MemberGeometry, float, str], tuple[Layer, ...]] | None = None
-        self._made: dict[Key, tuple[VariantResult, tuple[Layer, ...]]] = {}
+        self._flank: FlankName = "concave"
+        self._rolled: Rolled | None = None
+        self._scenery = Scenery(self)
+        self._scenery.made.connect(self._on_made)
+        self._scenery.failed.connect(self.redraw)  # it fails here too, where that is told
         self._wardrobe = Wardrobe(self)
         self._wardrobe.changed.connect(self.redraw_soon)
         self._redraw = QTimer(self, singleShot=True, interval=REDRAW_PAUSE_MS)
-        self._redraw.timeout.connect(self.redraw)
+        self._redraw.timeout.connect(self._put_up_soon)
 
     @property
-    def flank(self) -> str:
+    def flank(self) -> FlankName:
         """The flank that the rolling plane generates."""
         return self._flank
 
@@ -97,19 +101,42 @@ class Presenter(QObject):
     def redraw(self) -> None:
         """Show the session as it is now."""
         self._redraw.stop()
-        grid, session = self._area.grid, self._session
-        if grid is None or session.pair is None or not self.active:
-            return
-        from ui.layers import Panel
-        from ui.scene import member_layers
+        sight = self._sight()
+        if sight is not None:
+            self._put_up(self._scenery.now(sight))
 
+    def _put_up_soon(self) -> None:
+        """Show the session when the layers for that are made; until then what was seen before stays."""
+        sight = self._sight()
+        scene = self._scenery.soon(sight) if sight is not None else None
+        if scene is not None:
+            self._put_up(scene)
+
+    def _on_made(self) -> None:
+        """Show a scene, also of the member as it was a moment ago: where edits never rest there is no newer one."""
+        sight, scene = self._sight(), self._scenery.scene
+        if sight is not None and scene is not None and scene.sight.has_results_of(sight):
+            self._put_up(scene)
+
+    def _sight(self) -> Sight | None:
+        """What is to be seen; None while there are no views for it."""
+        session = self._session
+        if self._area.grid is None or session.pair is None or not self.active:
+            return None
+        results = {key: session.results[key] for key in session.visible_keys if key in session.results}
         member = session.pair.member(session.member)
-        shared = (*member_layers(member), *self._rolling(member))
-        made = {
-            key: (session.results[key], self._layers_of(key)) for key in session.visible_keys if key in session.results
-        }
-        dressed = self._wardrobe.dress(made, member, grid.appearance, grid.visible_layers)
-        self._show_color_range(dressed)
+        return Sight(session.visible_keys, member, results, self._roll, self._flank)
+
+    def _put_up(self, scene: Scene) -> None:
+        from ui.layers import Panel
+
+        grid, session, member = self._area.grid, self._session, scene.sight.member
+        assert grid is not None
+        if scene.rolled.is_at(member, self._roll, self._flank) and self._rolled is not scene.rolled:
+            self._take_rolled(scene.rolled)
+        shared = (*scene.shared, *self._rolling(member))
+        dressed = self._wardrobe.dress(scene.made, member, grid.appearance, grid.visible_layers)
+        self._show_color_range(scene, dressed)
         contours = self._wardrobe.contours(dressed, self._levels(grid.appearance))
         panels = []
         for key in session.visible_keys:
@@ -126,6 +153,7 @@ class Presenter(QObject):
     def close(self) -> None:
         """End the work in the background."""
         self._redraw.stop()
+        self._scenery.close()
         self._wardrobe.close()
 
     def set_roll(self, roll: float) -> None:
@@ -134,7 +162,7 @@ class Presenter(QObject):
         if self.active and self._area.grid is not None and self._session.pair is not None:
             self._area.grid.update_layers(self._rolling(self._session.pair.member(self._session.member)))
 
-    def set_flank(self, flank: str) -> None:
+    def set_flank(self, flank: FlankName) -> None:
         """Choose the flank that the rolling plane generates."""
         self._flank = flank
         self.redraw()
@@ -146,7 +174,7 @@ class Presenter(QObject):
             if self._area.grid.appearance.contours:
                 self.redraw_soon()
 
-    def _show_color_range(self, dressed: Mapping[Key, Dressed]) -> None:
+    def _show_color_range(self, scene: Scene, dressed: Mapping[Key, Dressed]) -> None:
         bar, grid = self._area.color_bar, self._area.grid
         if bar is None or grid is None or not dressed:
             return
@@ -154,7 +182,7 @@ class Presenter(QObject):
 
         bar.show_exaggeration(self._wardrobe.factor)
         if quantity_of(grid.appearance).is_deviation:
-            bar.set_data_limit(largest_of(self._session.results[key] for key in dressed))
+            bar.set_data_limit(largest_of(scene.sight.results[key] for key in dressed))
             return
         values = [layer.scalars for one in dressed.values() for layer in one.layers if layer.scalars is not None]
         found = typical_range(quantity_of(grid.appearance), values)
@@ -167,28 +195,15 @@ class Presenter(QObject):
 
     def _rolling(self, member: MemberGeometry) -> tuple[Layer, ...]:
         """The rolling plane, computed anew only when it is another one."""
-        from ui.scene import SceneOptions, roll_span_deg, rolling_layers
+        if self._rolled is None or not self._rolled.is_at(member, self._roll, self._flank):
+            self._take_rolled(make_rolled(member, self._roll, self._flank))
+        assert self._rolled is not None
+        return self._rolled.layers
 
-        wanted = (member, self._roll, self._flank)
-        if self._rolled is None or self._rolled[0] != wanted:
-            options = SceneOptions(flank=self._flank)
-            self._rolled = wanted, rolling_layers(member, self._roll, options)
-            if self._area.roll_slider is not None:
-                self._area.roll_slider.set_span(roll_span_deg(member, options))
-        return self._rolled[1]
-
-    def _layers_of(self, key: Key) -> tuple[Layer, ...]:
-        """Layers of a result, made once; those of results that are gone are forgotten."""
-        from ui.scene import result_layers
-
-        results = self._session.results
-        self._made = {old: made for old, made in self._made.items() if results.get(old) is made[0]}
-        result = results.get(key)
-        if result is None:
-            return ()
-        if key not in self._made:
-            self._made[key] = (result, result_layers(result))
-        return self._made[key][1]
+    def _take_rolled(self, rolled: Rolled) -> None:
+        self._rolled = rolled
+        if self._area.roll_slider is not None:
+            self._area.roll_slider.set_span(rolled.span_deg)
 
 
 def _same_layers(some: Sequence[Panel], others: Sequence[Panel]) -> bool:

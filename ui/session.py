@@ -44,8 +44,8 @@ class Session(QObject):
     """The state that the window shows; it knows no widget.
 
     ``draft`` maps dotted field names to values as typed, good or not. ``design`` and ``pair`` are the last
-    good ones and change together; with ``judging`` they may follow an edit a little later. A result whose key is
-    not in ``current`` belongs to an earlier design.
+    good ones and change together; with ``judging`` they may follow an edit, or what was loaded, a little later. A
+    result whose key is not in ``current`` belongs to an earlier design.
 
     Signals
     -------
@@ -74,6 +74,7 @@ class Session(QObject):
         super().__init__(parent)
         self._judging = judging
         self._case: Case | None = None
+        self._afresh = True
         if judging is not None:
             judging.judged.connect(self._on_judged)
         self.design = Design()
@@ -120,13 +121,9 @@ class Session(QObject):
 
     def load(self, design: Design, path: Path | None = None, *, saved: bool = True, read_only: bool = False) -> None:
         """Start afresh from another design; with ``saved`` it counts as unchanged, ``read_only`` keeps its file."""
-        self.draft = flatten(design)
-        self.path, self.read_only = path, read_only
-        self._saved = dict(self.draft) if saved else {}
-        self.results.clear()
-        self.draft_replaced.emit()
-        self._take(judge(nest(self.draft)), force=True)
-        self.document_changed.emit()
+        self._saved = flatten(design) if saved else {}
+        self.path, self.read_only, self._afresh = path, read_only, True
+        self.restore(flatten(design))
 
     def restore(self, draft: Mapping[str, Any]) -> None:
         """Take a whole draft back, as undo does; results stay until they are replaced."""
@@ -222,14 +219,16 @@ class Session(QObject):
         if case is self._case:
             self._take(case.verdict or judge(nest(self.draft)))
 
-    def _take(self, verdict: Verdict, *, force: bool = False) -> None:
+    def _take(self, verdict: Verdict) -> None:
         self._case = None
         design, pair = verdict.design, verdict.pair
         if verdict.issues != self.issues:
             self.issues = verdict.issues
             self.issues_changed.emit(self.issues)
-        if design is not None and pair is not None and (force or self.pair is None or design != self.design):
-            self.design, self.pair = design, pair
+        if design is not None and pair is not None and (self._afresh or design != self.design):
+            if self._afresh:
+                self.results.clear()
+            self.design, self.pair, self._afresh = design, pair, False
             self.current.clear()
             self.failures.clear()
             self.design_changed.emit(design)

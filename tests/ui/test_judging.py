@@ -5,18 +5,21 @@ from __future__ import annotations
 import threading
 import time
 from collections.abc import Callable, Iterator, Mapping
+from pathlib import Path
 from typing import Any
 
 import pytest
 
 import ui.judging
 import ui.session
-from gearstudio.design import Design
+from gearstudio.design import Design, with_field
+from tests.ui.stand_ins import result
 from ui.judging import AT_ONCE_S, Judging, Verdict
-from ui.session import Session
+from ui.session import Key, Session
 
 TEETH = "pair.pinion_teeth"
 SLOW = 21
+KEY = Key("wheel", "point_cloud", "optimised")
 
 
 @pytest.fixture
@@ -110,3 +113,32 @@ def test_a_judge_that_breaks_down_does_so_where_it_is_told(session: Session, gat
         session.edit(TEETH, 23)
         until(qtbot, lambda: bool(caught))
     assert caught[0][0] is ZeroDivisionError and session.draft[TEETH] == 23
+
+
+def test_what_is_opened_is_judged_in_the_thread_and_the_last_good_model_stays(session, gate, qtbot) -> None:
+    session.put_result(session.design, result(KEY))
+    slow = with_field(Design(), TEETH, SLOW)
+    session.load(slow, Path("slow.gear.toml"))
+    assert session.title == "slow.gear.toml" and not session.unsaved and session.draft[TEETH] == SLOW
+    assert teeth(session) == session.pair.pinion.teeth == 17 and KEY in session.current
+    gate.set()
+    until(qtbot, lambda: teeth(session) == SLOW)
+    assert session.pair.pinion.teeth == SLOW and not session.results and not session.current
+
+
+def test_of_two_that_are_opened_the_newer_one_counts(session: Session, gate: threading.Event, qtbot) -> None:
+    seen = []
+    session.design_changed.connect(lambda design: seen.append(design.pair.pinion_teeth))
+    session.load(with_field(Design(), TEETH, SLOW))
+    session.load(with_field(Design(), TEETH, 19))
+    gate.set()
+    until(qtbot, lambda: teeth(session) == 19)
+    qtbot.wait(100)
+    assert seen == [19] and not session.unsaved
+
+
+def test_the_same_design_opened_again_is_built_again(session: Session) -> None:
+    session.put_result(session.design, result(KEY))
+    session.load(Design())
+    session.settle()
+    assert not session.results and KEY in session.missing_keys()
