@@ -29,7 +29,7 @@ from ui.words import tr
 
 if TYPE_CHECKING:
     from gearstudio.theory.cones import MemberGeometry, PairGeometry
-    from gearstudio.theory.flank_protocol import FlankName
+    from gearstudio.theory.flank import FlankName
 
 
 INDENT = 8

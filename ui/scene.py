@@ -16,9 +16,10 @@ from numpy.typing import NDArray
 from gearstudio.results import FlankResult, VariantResult
 from gearstudio.theory.cloud import flank_grid
 from gearstudio.theory.cones import MemberGeometry
-from gearstudio.theory.flank import FLANKS, FlankName, InvoluteFlank
+from gearstudio.theory.flank import FLANKS, FlankName
 from gearstudio.theory.involute import base_cone_spiral, generating_line, polar_angle, roll_arc, start_azimuth
 from gearstudio.theory.involute import tangent_plane as plane_axes
+from gearstudio.theory.involute_flank import InvoluteFlank
 from gearstudio.theory.modified import flank_of
 from ui import layers as look
 from ui.grids import facing, grid_normals, grid_segments, grid_triangles, on_cone, path_segments

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gearstudio.theory.cones import MemberGeometry
-from gearstudio.theory.flank_protocol import Flank
+from gearstudio.theory.flank import Flank
 from gearstudio.theory.modified import flank_on
 from gearstudio.theory.profile import profile_of
 from ui.grids import grid_normals, grid_triangles, on_cone

@@ -9,8 +9,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from gearstudio.theory.cones import MemberGeometry, PairGeometry
-from gearstudio.theory.flank import Flank, FlankName, InvoluteFlank
+from gearstudio.theory.flank import Flank, FlankName
 from gearstudio.theory.involute import involute_azimuth, polar_angle, roll_arc
+from gearstudio.theory.involute_flank import InvoluteFlank
 from gearstudio.theory.modified import flank_member, flank_of, relief_on, swept_on
 
 Floats = NDArray[np.float64]

@@ -12,7 +12,8 @@ from gearstudio.catalogue import MethodInfo, Variant
 from gearstudio.kernel.surfaces import Curve, curve_through, oriented, pipe, skin
 from gearstudio.methods.base import SAFETY, Construction, Refinement, Target, node_errors
 from gearstudio.results import ConstructionCurve
-from gearstudio.theory.flank import Flank, InvoluteFlank
+from gearstudio.theory.flank import Flank
+from gearstudio.theory.involute_flank import InvoluteFlank
 
 Floats = NDArray[np.float64]
 

@@ -11,8 +11,8 @@ from gearstudio.kernel.surfaces import curve_through, reconstructed, skin
 from gearstudio.methods.base import between
 from gearstudio.nurbs import NurbsSurface
 from gearstudio.results import ConstructionCurve
-from gearstudio.theory.flank import InvoluteFlank
 from gearstudio.theory.involute import generating_line, tangent_plane
+from gearstudio.theory.involute_flank import InvoluteFlank
 
 Floats = NDArray[np.float64]
 Span = tuple[float, float]

@@ -13,8 +13,9 @@ from gearstudio.catalogue import MethodInfo, Variant
 from gearstudio.kernel.convert import CONFUSION_MM
 from gearstudio.methods.base import SAFETY, Construction, Refinement, Target, node_errors
 from gearstudio.methods.rolled import DEGREE, RolledPatch, cut, rolled, stretches_of
-from gearstudio.theory.flank import Flank, InvoluteFlank
+from gearstudio.theory.flank import Flank
 from gearstudio.theory.hypoid.conjugate import ConjugateFlank
+from gearstudio.theory.involute_flank import InvoluteFlank
 
 PUBLISHED_POSITIONS = 5
 WITHOUT_MODIFICATIONS = {"modifications": "left out"}

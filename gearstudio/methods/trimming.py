@@ -11,7 +11,8 @@ from numpy.typing import NDArray
 from gearstudio.errors import GeometryError
 from gearstudio.methods.space import Space, fitted, space_u, space_v
 from gearstudio.nurbs import NurbsSurface
-from gearstudio.theory.flank import Flank, InvoluteFlank
+from gearstudio.theory.flank import Flank
+from gearstudio.theory.involute_flank import InvoluteFlank
 
 Floats = NDArray[np.float64]
 

@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from gearstudio.errors import GeometryError
 from gearstudio.theory.cones import ConeLimit, MemberGeometry
-from gearstudio.theory.flank_protocol import Flank
+from gearstudio.theory.flank import Flank
 from gearstudio.theory.hypoid.profile import hypoid_profile
 from gearstudio.theory.involute import azimuth_from_arc, involute_azimuth, polar_angle, roll_arc
 from gearstudio.theory.modified import azimuth_shift, azimuth_shift_slope_at_place, flank_on, relief_on

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gearstudio.theory.cones import MemberGeometry
-from gearstudio.theory.flank_protocol import Flank
+from gearstudio.theory.flank import Flank
 
 Floats = NDArray[np.float64]
 Segment = Literal["root", "fillet", "meridian", "flank", "tip"]

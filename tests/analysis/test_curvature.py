@@ -19,7 +19,8 @@ from gearstudio.design import Design
 from gearstudio.errors import GeometryError
 from gearstudio.nurbs import NurbsSurface
 from gearstudio.theory.cones import pair_geometry
-from gearstudio.theory.flank import FLANKS, InvoluteFlank, involute_flank
+from gearstudio.theory.flank import FLANKS
+from gearstudio.theory.involute_flank import InvoluteFlank, involute_flank
 from gearstudio.theory.modified import flank_of
 from tests.designs import GOLDEN
 

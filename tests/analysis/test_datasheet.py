@@ -13,7 +13,7 @@ from gearstudio.analysis.selfcheck import Check, self_check
 from gearstudio.catalogue import MEMBERS
 from gearstudio.design import Design
 from gearstudio.theory.cones import pair_geometry
-from gearstudio.theory.flank import InvoluteFlank
+from gearstudio.theory.involute_flank import InvoluteFlank
 from tests.designs import GOLDEN
 
 DESIGNS = {name: design for name, (design, _) in GOLDEN.items()} | {

@@ -15,7 +15,8 @@ from gearstudio.catalogue import MEMBERS
 from gearstudio.design import Design, with_field
 from gearstudio.errors import GeometryError
 from gearstudio.theory.cones import MemberGeometry, PairGeometry, pair_geometry
-from gearstudio.theory.flank import FLANKS, FlankName, InvoluteFlank, involute_flank
+from gearstudio.theory.flank import FLANKS, FlankName
+from gearstudio.theory.involute_flank import InvoluteFlank, involute_flank
 from tests.designs import GOLDEN
 
 PAIR = pair_geometry(Design())

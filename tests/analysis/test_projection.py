@@ -14,7 +14,8 @@ from gearstudio.kernel.convert import to_surface
 from gearstudio.kernel.surfaces import reconstructed
 from gearstudio.methods import METHODS
 from gearstudio.theory.cones import pair_geometry
-from gearstudio.theory.flank import FLANKS, InvoluteFlank, involute_flank
+from gearstudio.theory.flank import FLANKS
+from gearstudio.theory.involute_flank import InvoluteFlank, involute_flank
 from tests.theory.members import CORNERS, made
 
 pytestmark = pytest.mark.kernel

@@ -13,7 +13,7 @@ from gearstudio.errors import FileError
 from gearstudio.exchange.measured import nominal_grid_text, read_measured
 from gearstudio.exchange.points import POINT_FORMATS, PointFormat, point_cloud, points_text
 from gearstudio.theory.cones import pair_geometry
-from gearstudio.theory.flank import involute_flank
+from gearstudio.theory.involute_flank import involute_flank
 
 PAIR = pair_geometry(Design())
 XYZ = np.array([[1.5, -2.25, 3.0], [4.0, 5.5, -6.0], [7.0, 8.0, 9.125]])

@@ -12,7 +12,8 @@ from gearstudio.catalogue import MEMBERS
 from gearstudio.exchange.points import CSV_HEADER, POINT_FORMATS, point_cloud, points_text
 from gearstudio.theory.cloud import SPACINGS
 from gearstudio.theory.cones import pair_geometry
-from gearstudio.theory.flank import FLANKS, involute_flank
+from gearstudio.theory.flank import FLANKS
+from gearstudio.theory.involute_flank import involute_flank
 from tests.designs import GOLDEN
 
 ROWS, COLS = 5, 4

@@ -22,10 +22,11 @@ from gearstudio.exchange.points import point_cloud
 from gearstudio.presets import PRESETS
 from gearstudio.project import design_text
 from gearstudio.theory.cones import pair_geometry
-from gearstudio.theory.flank import FLANKS, InvoluteFlank
+from gearstudio.theory.flank import FLANKS
 from gearstudio.theory.hypoid.conjugate import pinion_flank
 from gearstudio.theory.hypoid.design import hypoid_input
 from gearstudio.theory.hypoid.inputs import HypoidInput
+from gearstudio.theory.involute_flank import InvoluteFlank
 from gearstudio.theory.modified import flank_of
 from gearstudio.validation import check, read_design
 from tests.strategies import offset_designs

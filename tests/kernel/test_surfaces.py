@@ -18,7 +18,7 @@ from gearstudio.kernel.surfaces import curve_through, interpolated_points, orien
 from gearstudio.methods import METHODS
 from gearstudio.nurbs import NurbsSurface, basis_matrix
 from gearstudio.theory.cones import pair_geometry
-from gearstudio.theory.flank import involute_flank
+from gearstudio.theory.involute_flank import involute_flank
 
 pytestmark = pytest.mark.kernel
 

@@ -18,8 +18,9 @@ from gearstudio.nurbs import NurbsSurface
 from gearstudio.presets import PRESETS
 from gearstudio.results import FlankResult
 from gearstudio.theory.cones import pair_geometry
-from gearstudio.theory.flank import FLANKS, InvoluteFlank, involute_flank
+from gearstudio.theory.flank import FLANKS
 from gearstudio.theory.involute import generating_line
+from gearstudio.theory.involute_flank import InvoluteFlank, involute_flank
 from tests.designs import GOLDEN
 from tests.strategies import is_valid
 from tests.theory.members import CORNERS, made

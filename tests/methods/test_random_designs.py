@@ -10,7 +10,8 @@ from gearstudio.catalogue import MEMBERS
 from gearstudio.design import Design
 from gearstudio.methods import METHODS, Target
 from gearstudio.theory.cones import pair_geometry
-from gearstudio.theory.flank import FLANKS, involute_flank
+from gearstudio.theory.flank import FLANKS
+from gearstudio.theory.involute_flank import involute_flank
 from tests.strategies import designs
 
 pytestmark = pytest.mark.kernel

@@ -12,7 +12,8 @@ from gearstudio.design import Design
 from gearstudio.errors import GeometryError
 from gearstudio.theory.cloud import SPACINGS, Spacing, flank_grid
 from gearstudio.theory.cones import MemberGeometry, pair_geometry
-from gearstudio.theory.flank import FLANKS, involute_flank
+from gearstudio.theory.flank import FLANKS
+from gearstudio.theory.involute_flank import involute_flank
 from tests.theory.members import MEMBERS
 
 

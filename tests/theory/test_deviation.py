@@ -8,7 +8,8 @@ from scipy.optimize import least_squares
 
 from gearstudio.design import Design
 from gearstudio.theory.cones import pair_geometry
-from gearstudio.theory.flank import FLANKS, InvoluteFlank, involute_flank
+from gearstudio.theory.flank import FLANKS
+from gearstudio.theory.involute_flank import InvoluteFlank, involute_flank
 from tests.theory.members import MEMBERS, made
 
 over_flanks = pytest.mark.parametrize(

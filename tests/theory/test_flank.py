@@ -8,7 +8,8 @@ import pytest
 from gearstudio.design import Design
 from gearstudio.errors import GeometryError
 from gearstudio.theory.cones import MemberGeometry, pair_geometry
-from gearstudio.theory.flank import FLANKS, InvoluteFlank, involute_flank
+from gearstudio.theory.flank import FLANKS
+from gearstudio.theory.involute_flank import InvoluteFlank, involute_flank
 from tests.theory.members import DESIGNS, MEMBERS, about_axis, made
 
 U, V = np.linspace(0.0, 1.0, 9)[:, None], np.linspace(0.0, 1.0, 7)[None, :]

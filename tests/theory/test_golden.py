@@ -7,7 +7,7 @@ import pytest
 
 from gearstudio.design import Design
 from gearstudio.theory.cones import pair_geometry
-from gearstudio.theory.flank import InvoluteFlank
+from gearstudio.theory.involute_flank import InvoluteFlank
 from gearstudio.theory.pair import tip_half_azimuth
 from tests.designs import GOLDEN
 

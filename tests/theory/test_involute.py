@@ -10,7 +10,6 @@ from scipy.integrate import solve_ivp
 from gearstudio.design import Design
 from gearstudio.errors import GeometryError
 from gearstudio.theory.cones import pair_geometry
-from gearstudio.theory.flank import InvoluteFlank
 from gearstudio.theory.involute import (
     base_cone_spiral,
     generating_line,
@@ -19,6 +18,7 @@ from gearstudio.theory.involute import (
     roll_arc,
     start_azimuth,
 )
+from gearstudio.theory.involute_flank import InvoluteFlank
 from tests.designs import GOLDEN
 
 EPS = np.finfo(float).eps

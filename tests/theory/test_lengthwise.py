@@ -8,7 +8,7 @@ import pytest
 
 from gearstudio.errors import GeometryError
 from gearstudio.theory.cones import MemberGeometry, pair_geometry
-from gearstudio.theory.flank import involute_flank
+from gearstudio.theory.involute_flank import involute_flank
 from gearstudio.theory.lengthwise import Lengthwise
 from tests.theory.members import MEMBERS, made
 

@@ -10,7 +10,8 @@ from hypothesis import HealthCheck, given, settings
 
 from gearstudio.design import Design, field_specs, with_field
 from gearstudio.theory.cones import MemberGeometry, pair_geometry
-from gearstudio.theory.flank import FLANKS, FlankName, InvoluteFlank, involute_flank
+from gearstudio.theory.flank import FLANKS, FlankName
+from gearstudio.theory.involute_flank import InvoluteFlank, involute_flank
 from gearstudio.theory.modified import ModifiedFlank, flank_of
 from gearstudio.theory.profile import tooth_profile
 from gearstudio.theory.relief import FlankRelief

@@ -8,7 +8,7 @@ from scipy.optimize import brentq, minimize
 
 from gearstudio.design import Design
 from gearstudio.theory.cones import MemberGeometry, PairGeometry, pair_geometry
-from gearstudio.theory.flank import InvoluteFlank
+from gearstudio.theory.involute_flank import InvoluteFlank
 from gearstudio.theory.pair import (
     interference,
     overlap_ratio,

@@ -9,7 +9,7 @@ import pytest
 
 from gearstudio.errors import GeometryError
 from gearstudio.theory.cones import MemberGeometry, pair_geometry
-from gearstudio.theory.flank import InvoluteFlank
+from gearstudio.theory.involute_flank import InvoluteFlank
 from gearstudio.theory.profile import ToothProfile, fillet, tooth_profile
 from tests.theory.members import MEMBERS, about_axis, made
 

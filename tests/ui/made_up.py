@@ -11,7 +11,8 @@ from gearstudio.design import Design
 from gearstudio.nurbs import NurbsSurface
 from gearstudio.results import ConstructionCurve, FlankResult, Floats, Statistics, VariantResult
 from gearstudio.theory.cones import MemberGeometry, pair_geometry
-from gearstudio.theory.flank import FLANKS, involute_flank
+from gearstudio.theory.flank import FLANKS
+from gearstudio.theory.involute_flank import involute_flank
 from ui.layers import Layer
 from ui.scene import member_layers, result_layers, rolling_layers
 

@@ -14,7 +14,7 @@ from PySide6.QtGui import QGuiApplication, QImage
 from gearstudio.analysis.curvature import theory_curvature
 from gearstudio.design import Design
 from gearstudio.nurbs import NurbsSurface
-from gearstudio.theory.flank import involute_flank
+from gearstudio.theory.involute_flank import involute_flank
 from tests.ui.made_up import member_of, result_of
 from ui.analysis.curvature_view import power_of_ten
 from ui.analysis.deviation_series import (

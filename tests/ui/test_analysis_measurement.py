@@ -9,7 +9,8 @@ import pytest
 
 from gearstudio.design import Design, with_field
 from gearstudio.theory.cones import pair_geometry
-from gearstudio.theory.flank import FLANKS, involute_flank
+from gearstudio.theory.flank import FLANKS
+from gearstudio.theory.involute_flank import involute_flank
 from ui.analysis.measured_scene import measured_layers
 from ui.analysis.measurement_data import Source, measured
 from ui.analysis.measurement_view import pitch_chart, points_table, topography

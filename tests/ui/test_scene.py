@@ -7,8 +7,9 @@ import pytest
 
 from gearstudio.design import Design
 from gearstudio.theory.cones import pair_geometry
-from gearstudio.theory.flank import FLANKS, involute_flank
+from gearstudio.theory.flank import FLANKS
 from gearstudio.theory.involute import roll_arc
+from gearstudio.theory.involute_flank import involute_flank
 from gearstudio.theory.modified import flank_of
 from tests.ui.made_up import DESIGNS, member_of, result_of, scene_layers
 from ui import colormap

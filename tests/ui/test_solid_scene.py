@@ -13,7 +13,7 @@ from gearstudio.presets import PRESETS
 from gearstudio.results import SolidResult
 from gearstudio.theory.chamfer import end_chamfers
 from gearstudio.theory.cones import MemberGeometry, PairGeometry, pair_geometry
-from gearstudio.theory.flank import InvoluteFlank
+from gearstudio.theory.involute_flank import InvoluteFlank
 from gearstudio.theory.pair import pinion_placement, wheel_placement
 from tests.ui.made_up_solid import solid_of
 from tests.volume import gear_volume

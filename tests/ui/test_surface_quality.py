@@ -11,7 +11,8 @@ from gearstudio.analysis.curvature import theory_curvature
 from gearstudio.analysis.probe import probe, theory_at
 from gearstudio.nurbs import NurbsSurface
 from gearstudio.results import VariantResult
-from gearstudio.theory.flank import FLANKS, involute_flank
+from gearstudio.theory.flank import FLANKS
+from gearstudio.theory.involute_flank import involute_flank
 from tests.ui.made_up import member_of, result_of
 from ui import colormap
 from ui.layers import Layer, Style

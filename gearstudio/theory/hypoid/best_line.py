@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from gearstudio.theory.cones import ConeLimit, MemberGeometry
-from gearstudio.theory.flank import InvoluteFlank
+from gearstudio.theory.involute_flank import InvoluteFlank
 
 if TYPE_CHECKING:
     from gearstudio.theory.hypoid.conjugate import ConjugateFlank

@@ -10,8 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from gearstudio.errors import GeometryError
 from gearstudio.theory.cones import MemberGeometry
-from gearstudio.theory.flank import FlankName, InvoluteFlank
-from gearstudio.theory.flank_protocol import border_gap
+from gearstudio.theory.flank import FlankName, border_gap
 from gearstudio.theory.hypoid.best_line import best_line
 from gearstudio.theory.hypoid.edge import StartOfContact, start_of_contact
 from gearstudio.theory.hypoid.envelope import Envelope
@@ -19,6 +18,7 @@ from gearstudio.theory.hypoid.inverse import Guess, generating_point
 from gearstudio.theory.hypoid.pair import HypoidPair
 from gearstudio.theory.hypoid.reach import Reach, reach_of
 from gearstudio.theory.hypoid.second import derivatives
+from gearstudio.theory.involute_flank import InvoluteFlank
 from gearstudio.theory.vectors import dot, quarter, spherical
 
 Floats = NDArray[np.float64]

@@ -17,9 +17,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from gearstudio.errors import GeometryError
-from gearstudio.theory.flank import InvoluteFlank
 from gearstudio.theory.hypoid.axes import Axes
 from gearstudio.theory.involute import roll_arc, tangent_plane
+from gearstudio.theory.involute_flank import InvoluteFlank
 from gearstudio.theory.vectors import cross, dot, quarter, turned
 
 Floats = NDArray[np.float64]

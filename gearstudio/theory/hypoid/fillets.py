@@ -16,10 +16,10 @@ from numpy.typing import ArrayLike, NDArray
 
 from gearstudio.errors import GeometryError
 from gearstudio.theory.cones import MemberGeometry
-from gearstudio.theory.flank import InvoluteFlank
-from gearstudio.theory.flank_protocol import Flank
+from gearstudio.theory.flank import Flank
 from gearstudio.theory.hypoid.straight import Meridian, Straight
 from gearstudio.theory.involute import azimuth_from_arc, involute_azimuth, polar_angle, roll_arc
+from gearstudio.theory.involute_flank import InvoluteFlank
 from gearstudio.theory.modified import ModifiedFlank, azimuth_shift, azimuth_shift_slope
 from gearstudio.theory.relief import FlankRelief
 

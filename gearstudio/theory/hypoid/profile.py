@@ -11,12 +11,12 @@ from numpy.typing import NDArray
 
 from gearstudio.errors import GeometryError
 from gearstudio.theory.cones import MemberGeometry
-from gearstudio.theory.flank import InvoluteFlank
-from gearstudio.theory.flank_protocol import Flank
+from gearstudio.theory.flank import Flank
 from gearstudio.theory.hypoid.conjugate import ConjugateFlank
 from gearstudio.theory.hypoid.conjugate_fillets import ConjugateSide
 from gearstudio.theory.hypoid.fillets import BEYOND, FilletError, FilletSide, involute_side
 from gearstudio.theory.hypoid.straight import off_great_circle
+from gearstudio.theory.involute_flank import InvoluteFlank
 from gearstudio.theory.section import Segment, Shift, faded, off_circle, on_circle
 
 Floats = NDArray[np.float64]

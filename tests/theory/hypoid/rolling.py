@@ -7,9 +7,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from gearstudio.theory.flank import InvoluteFlank
 from gearstudio.theory.hypoid.conjugate import pinion_flank, wheel_flank
 from gearstudio.theory.hypoid.pair import HypoidPair
+from gearstudio.theory.involute_flank import InvoluteFlank
 
 Floats = NDArray[np.float64]
 ARCSEC = np.pi / 180 / 3600

@@ -7,11 +7,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from gearstudio.theory.flank import FLANKS, Flank, FlankName, InvoluteFlank
+from gearstudio.theory.flank import FLANKS, Flank, FlankName
 from gearstudio.theory.hypoid.conjugate import ConjugateFlank, envelope, pinion_flank, wheel_flank
 from gearstudio.theory.hypoid.inputs import HypoidInput
 from gearstudio.theory.hypoid.pair import hypoid_pair
 from gearstudio.theory.involute import roll_arc
+from gearstudio.theory.involute_flank import InvoluteFlank
 from tests.theory.hypoid.curvatures import curvatures
 from tests.theory.hypoid.pairs import AXLE, PAIRS, REFERENCE, Record, reference_input
 

@@ -7,10 +7,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from gearstudio.theory.flank import FLANKS, FlankName, InvoluteFlank
+from gearstudio.theory.flank import FLANKS, FlankName
 from gearstudio.theory.hypoid.conjugate import pinion_flank
 from gearstudio.theory.hypoid.pair import HypoidPair, hypoid_pair
 from gearstudio.theory.involute import roll_arc
+from gearstudio.theory.involute_flank import InvoluteFlank
 from tests.theory.hypoid.pairs import PAIRS, REFERENCE, reference_input
 
 
