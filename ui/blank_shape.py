@@ -20,7 +20,8 @@ if TYPE_CHECKING:
 
     from gearstudio.design import Design
     from gearstudio.theory.chamfer import EndChamfer
-    from gearstudio.theory.cones import ConeLimit, MemberGeometry
+    from gearstudio.theory.cones import MemberGeometry
+    from gearstudio.theory.limit import ConeLimit
 
 Floats = NDArray[np.float64]
 Place = tuple[float, float]

@@ -12,7 +12,8 @@ from typing import Literal
 import numpy as np
 
 from gearstudio.design import Design
-from gearstudio.theory.cones import ConeLimit, MemberGeometry, PairGeometry
+from gearstudio.theory.cones import MemberGeometry, PairGeometry
+from gearstudio.theory.limit import ConeLimit
 from gearstudio.theory.pair import overlap_ratio, transverse_contact_ratio
 
 Unit = Literal["mm", "°", ""]

@@ -7,8 +7,8 @@ from collections.abc import Callable
 import numpy as np
 
 from gearstudio.analysis.datasheet_rows import Row, Subject, Unit, cone_distance, height
+from gearstudio.theory.fillet import fillet
 from gearstudio.theory.pair import interference, tip_half_azimuth
-from gearstudio.theory.profile import fillet
 
 
 def size_rows() -> tuple[Row, ...]:

@@ -14,12 +14,12 @@ from gearstudio.cli.output import STANDARD_OUTPUT, table, write_json
 from gearstudio.design import Design
 from gearstudio.project import open_design
 from gearstudio.theory.cones import MemberGeometry, PairGeometry, pair_geometry
+from gearstudio.theory.fillet import fillet
 from gearstudio.theory.flank import FLANKS
 from gearstudio.theory.hypoid.dimensions import dimensions
 from gearstudio.theory.hypoid.pair import HypoidPair
 from gearstudio.theory.modified import flank_member, flank_of
 from gearstudio.theory.pair import overlap_ratio, tip_half_azimuth, transverse_contact_ratio
-from gearstudio.theory.profile import fillet
 from gearstudio.validation import check
 
 _OF_THE_TOOTH = (

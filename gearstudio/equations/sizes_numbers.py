@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from gearstudio.equations.records import Numbers, Subject, deg, mm, pure, rad
-from gearstudio.theory.cones import ConeLimit
 from gearstudio.theory.involute import azimuth_from_arc, involute_azimuth, roll_arc
+from gearstudio.theory.limit import ConeLimit
 from gearstudio.theory.pair import interference, tip_arc, tip_half_azimuth
 
 

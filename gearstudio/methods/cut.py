@@ -20,7 +20,8 @@ from gearstudio.methods.trimming import trimmed
 from gearstudio.nurbs import NurbsSurface
 from gearstudio.theory.blank import BlankOutline
 from gearstudio.theory.chamfer import end_point
-from gearstudio.theory.cones import ConeLimit, MemberGeometry
+from gearstudio.theory.cones import MemberGeometry
+from gearstudio.theory.limit import ConeLimit
 from gearstudio.theory.section import Profile
 
 Floats = NDArray[np.float64]

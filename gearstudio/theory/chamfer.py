@@ -13,7 +13,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from gearstudio.errors import GeometryError
 from gearstudio.nurbs import NurbsSurface, basis_matrix
-from gearstudio.theory.cones import ConeLimit, MemberGeometry
+from gearstudio.theory.cones import MemberGeometry
+from gearstudio.theory.limit import ConeLimit
 
 if TYPE_CHECKING:
     from scipy.interpolate import BSpline

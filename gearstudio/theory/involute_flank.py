@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from gearstudio.errors import GeometryError
-from gearstudio.theory.cones import Limit, MemberGeometry
+from gearstudio.theory.cones import MemberGeometry
 from gearstudio.theory.flank import FlankName, border_gap
 from gearstudio.theory.involute import (
     azimuth_from_arc,
@@ -18,6 +18,7 @@ from gearstudio.theory.involute import (
     start_azimuth,
     tangent_plane,
 )
+from gearstudio.theory.limit import Limit
 from gearstudio.theory.vectors import quarter, spherical
 
 Floats = NDArray[np.float64]

@@ -8,7 +8,7 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from gearstudio.theory.cones import Limit, MemberGeometry
+from gearstudio.theory.cones import MemberGeometry
 from gearstudio.theory.flank import Flank, FlankName
 from gearstudio.theory.hypoid.conjugate import ConjugateFlank, pinion_flank
 from gearstudio.theory.hypoid.inputs import MemberName
@@ -16,6 +16,7 @@ from gearstudio.theory.hypoid.modified import ModifiedConjugate
 from gearstudio.theory.involute import polar_angle as polar_angle_of
 from gearstudio.theory.involute import roll_arc, tangent_plane
 from gearstudio.theory.involute_flank import InvoluteFlank, involute_flank
+from gearstudio.theory.limit import Limit
 from gearstudio.theory.relief import Derivatives, FlankRelief
 from gearstudio.theory.vectors import turned, turned_derivatives
 

@@ -9,8 +9,8 @@ import numpy as np
 from gearstudio.design import Design, field_value
 from gearstudio.theory.blank import BlankError, BlankSizes, blank_outline
 from gearstudio.theory.cones import MemberGeometry
+from gearstudio.theory.fillet import Fillet, fillet
 from gearstudio.theory.pair import interference, total_contact_ratio
-from gearstudio.theory.profile import Fillet, fillet
 from gearstudio.validation.nearest import Cure, cure
 from gearstudio.validation.rule import (
     ARC,

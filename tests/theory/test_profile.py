@@ -9,8 +9,9 @@ import pytest
 
 from gearstudio.errors import GeometryError
 from gearstudio.theory.cones import MemberGeometry, pair_geometry
+from gearstudio.theory.fillet import fillet
 from gearstudio.theory.involute_flank import InvoluteFlank
-from gearstudio.theory.profile import ToothProfile, fillet, tooth_profile
+from gearstudio.theory.profile import ToothProfile, tooth_profile
 from tests.theory.members import MEMBERS, about_axis, made
 
 CASES = {

@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from gearstudio.theory.cones import ConeLimit, MemberGeometry
+from gearstudio.theory.cones import MemberGeometry
 from gearstudio.theory.involute_flank import InvoluteFlank
+from gearstudio.theory.limit import ConeLimit
 
 if TYPE_CHECKING:
     from gearstudio.theory.hypoid.conjugate import ConjugateFlank

@@ -5,10 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 from math import asin, atan, atan2, cos, pi, sin, tan
 
-from gearstudio.theory.cones import ConeLimit
 from gearstudio.theory.hypoid.depth import ToothDepth
 from gearstudio.theory.hypoid.inputs import HypoidError, HypoidInput
 from gearstudio.theory.hypoid.pitch import PitchCone, PitchCones
+from gearstudio.theory.limit import ConeLimit
 
 _LEAST_DEPTH = 0.25
 
