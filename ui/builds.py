@@ -28,13 +28,9 @@ class Builds(QObject):
     -------
     work_changed(object, float)
         What is being done, as text, or None; and the fraction of the whole request that is done.
-    other_job_done(object, object), other_job_failed(object, str, str)
-        Passed on for jobs that are no builds (exports).
     """
 
     work_changed = Signal(object, float)
-    other_job_done = Signal(object, object)
-    other_job_failed = Signal(object, str, str)
 
     def __init__(self, session: Session, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -104,22 +100,18 @@ class Builds(QObject):
 
     def _on_done(self, job: Job, result: VariantResult) -> None:
         key = self._key(job)
-        if key is None:
-            self.other_job_done.emit(job, result)
-            return
-        self._awaited.pop(key, None)
-        self._session.put_result(job.design, result)
+        if key is not None:
+            self._awaited.pop(key, None)
+            self._session.put_result(job.design, result)
 
     def _on_failed(self, job: Job, text: str, details: str) -> None:
         if details:
             log.error("%s failed: %s\n%s", job.label, text, details)
         key = self._key(job)
-        if key is None:
-            self.other_job_failed.emit(job, text, details)
-            return
-        self._awaited.pop(key, None)
-        words = text.removeprefix(f"{key.method}: ")
-        self._session.put_failure(job.design, key, Failure(words[:1].upper() + words[1:], details))
+        if key is not None:
+            self._awaited.pop(key, None)
+            words = _capital(text.removeprefix(f"{key.method}: "))
+            self._session.put_failure(job.design, key, Failure(words, details))
 
     def _on_cancelled(self, job: Job) -> None:
         key = self._key(job)

@@ -12,7 +12,7 @@ from ui.applicability import derived_hints
 from ui.blanks import Blanks
 from ui.builds import Builds
 from ui.edits import Edits
-from ui.export_dialog import export_report
+from ui.exporting import Exporting
 from ui.help.desk import HelpDesk
 from ui.kernel_messages import KernelMessages
 from ui.presenter import Presenter, view_title
@@ -23,7 +23,6 @@ from ui.views.display import Display
 from ui.words import told, tr
 
 if TYPE_CHECKING:
-    from gearstudio.jobs import Job
     from ui.files import Files
     from ui.inheritance import Inheritance
     from ui.main_window import MainWindow
@@ -62,6 +61,7 @@ class Controller(QObject):
         self.solid_mode = SolidMode(session, window, self.presenter, self, inheritance.solids if inheritance else None)
         self.display = Display(session, window, self.presenter, self.solid_mode, self)
         self.reporting = Reporting(session, window, self.solid_mode, self)
+        self.exporting = Exporting(files, window.messages, self)
         self.help = HelpDesk(session, window)
         self.kernel_messages = KernelMessages(window.messages, self)
         self.runner: JobRunner | None = None
@@ -95,6 +95,7 @@ class Controller(QObject):
         self.solid_mode.use_runner(runner)
         self.analysis.use_runner(runner)
         self.reporting.use_runner(runner)
+        self.exporting.use_runner(runner)
         runner.start()
         self.builds.build_missing()
 
@@ -107,10 +108,11 @@ class Controller(QObject):
         bar.range_changed.connect(self.presenter.apply_color_range)
         slider.rolled.connect(self.presenter.set_roll)
         self.window.commands.fill_layers()
-        self.window.commands.layers.triggered.connect(lambda a: self._on_layer_switched(a.data(), a.isChecked()))
-        panel.layer_switched.connect(self._on_layer_switched)
-        panel.set_chosen.connect(self.set_layers)
-        self._show_layers(grid.visible_layers)
+        self.window.commands.layers.triggered.connect(lambda a: grid.set_layer_visible(a.data(), a.isChecked()))
+        panel.layer_switched.connect(grid.set_layer_visible)
+        panel.set_chosen.connect(grid.set_visible_layers)
+        grid.visible_changed.connect(self._show_layers)
+        self._show_layers()
         self.window.commands.views.triggered.connect(lambda action: grid.set_view(action.data()))
         self.display.views_ready()
         self.presenter.redraw()
@@ -125,13 +127,6 @@ class Controller(QObject):
         self.window.refresh_theme()
         if self.window.area.grid is not None:
             self.window.area.grid.set_theme(dark)
-
-    def set_layers(self, layer_ids: frozenset[str]) -> None:
-        """Switch exactly these layers on."""
-        grid = self.window.area.grid
-        if grid is not None:
-            grid.set_visible_layers(layer_ids)
-            self._show_layers(layer_ids)
 
     def close(self) -> None:
         """Let go of the window; end the work in progress and the CAD process, unless another window goes on with it."""
@@ -172,8 +167,6 @@ class Controller(QObject):
         self.session.results_changed.connect(self._on_results_changed)
         self.analysis.said.connect(lambda kind, text: self.window.messages.show_message(kind, text, topic="analysis"))
         self.builds.work_changed.connect(self._on_work_changed)
-        self.builds.other_job_done.connect(self._on_export_done)
-        self.builds.other_job_failed.connect(self._on_export_failed)
         self.window.status.cancel_requested.connect(self._cancel)
 
     def _connect_commands(self) -> None:
@@ -198,7 +191,6 @@ class Controller(QObject):
         for name, handler in handlers.items():
             commands[name].triggered.connect(lambda _checked=False, run=handler: run())
         window.design_dropped.connect(files.open_path)
-        files.export_requested.connect(self._on_export_requested)
         window.may_close = files.may_discard
         window.closing.connect(self.close)
         commands["cancel"].setEnabled(False)
@@ -213,20 +205,6 @@ class Controller(QObject):
     def _restart(self) -> None:
         if self.runner is not None:
             self.runner.restart()
-
-    def _on_export_requested(self, job: Job) -> None:
-        if self.runner is not None:
-            self.runner.submit((job,))
-
-    def _on_layer_switched(self, layer_id: str, visible: bool) -> None:
-        grid = self.window.area.grid
-        if grid is not None:
-            grid.set_layer_visible(layer_id, visible)
-            self._show_layers(grid.visible_layers)
-
-    def _show_layers(self, layer_ids: frozenset[str]) -> None:
-        self.window.layer_panel.show_visible(layer_ids)
-        self.window.commands.show_layers(layer_ids)
 
     # ---- what is shown -------------------------------------------------------------------------------
 
@@ -273,18 +251,11 @@ class Controller(QObject):
         self.window.status.show_worker(state)
         self.kernel_messages.show_state(state, reason)
 
-    def _on_export_done(self, job: Job, files: Any) -> None:
-        if job.purpose != "export":
-            return
-        text, details = export_report(files)
-        self.window.messages.show_message("info", text, details, topic="export")
-
-    def _on_export_failed(self, job: Job, text: str, details: str) -> None:
-        if job.purpose != "export":
-            return
-        self.window.messages.show_message(
-            "error", tr("The export failed: {text}", text=told(text)), details, topic="export"
-        )
+    def _show_layers(self) -> None:
+        grid = self.window.area.grid
+        assert grid is not None
+        self.window.layer_panel.show_visible(grid.visible_layers)
+        self.window.commands.show_layers(grid.visible_layers)
 
     def _on_hovered(self, hover: Any) -> None:
         self.window.status.show_hover(hover)

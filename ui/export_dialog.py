@@ -24,12 +24,11 @@ from PySide6.QtWidgets import (
 
 from gearstudio.catalogue import METHOD_IDS, VARIANTS
 from gearstudio.formats import FORMATS
-from gearstudio.jobs import CONSTRUCTIONS, ExportedFile, ExportJob
+from gearstudio.jobs import CONSTRUCTIONS, ExportJob
 from ui.export_options import OptionsPanel
 from ui.fields import set_severity
-from ui.formatting import CONSTRUCTION_TITLES, MEMBER_TITLES, METHOD_TITLES, VARIANT_TITLES, number
-from ui.units import spaced, to_shown
-from ui.words import told, tr
+from ui.formatting import CONSTRUCTION_TITLES, MEMBER_TITLES, METHOD_TITLES, VARIANT_TITLES
+from ui.words import tr
 
 if TYPE_CHECKING:
     from ui.session import Session
@@ -229,40 +228,6 @@ class ExportDialog(QDialog):
         folder = QFileDialog.getExistingDirectory(self, tr("Folder for the exported files"), self._folder.text())
         if folder:
             self._folder.setText(folder)
-
-
-def export_report(files: tuple[ExportedFile, ...]) -> tuple[str, str]:
-    """What an export wrote: a line, and what was found on reading each file back."""
-    names = ", ".join(f"{file.path.name} ({_size(file.size)})" for file in files)
-    folder = str(files[0].path.parent) if files else ""
-    line = tr("Wrote {names} to {folder}; read back and checked", names=names, folder=folder)
-    return line, "\n".join(_found(file) for file in files)
-
-
-def _found(file: ExportedFile) -> str:
-    check = file.check
-    lines = [f"{file.path.name}: {told(check)}"]
-    low, high = check.box
-    box = " × ".join(number(to_shown(b - a, "mm")) for a, b in zip(low, high, strict=True)) + spaced("mm")
-    lines.append(tr("box {box} · read by {kernel}", box=box, kernel=check.kernel))
-    for face in check.worst:
-        words = tr("{member} {face}: within {largest} µm of theory ({limit} µm allowed)",
-                   member=tr(face.member), face=told(face.title), largest=number(face.largest_um, ".4f"),
-                   limit=number(face.limit_um, ".4f"))  # fmt: skip
-        lines.append(words)
-    if check.chord_um is not None and check.chord_limit_um is not None:
-        lines.append(
-            tr("triangles within {um} µm of theory ({limit} µm allowed)",
-               um=number(check.chord_um, ".4g"), limit=number(check.chord_limit_um, ".4g"))
-        )  # fmt: skip
-    lines += map(told, check.remarks)
-    if file.record is not None:
-        lines.append(tr("record: {name}", name=file.record.name))
-    return "\n  ".join(lines)
-
-
-def _size(size: int) -> str:
-    return f"{number(size / 1e6, '.1f')} MB" if size >= 1e6 else f"{max(size / 1e3, 1):.0f} kB"
 
 
 def _combo(titles: dict[str, str], chosen: str) -> QComboBox:

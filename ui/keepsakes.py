@@ -6,14 +6,12 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 from PySide6.QtCore import QByteArray, QRect, QTimer
-from PySide6.QtWidgets import QDialog, QWidget
+from PySide6.QtWidgets import QWidget
 
 from ui import widget_state
 from ui.actions import check
 from ui.form_section import Section
-from ui.help.equations import EquationBrowser
-from ui.help.guide import GuideWindow
-from ui.preferences_dialog import PreferencesDialog
+from ui.reopening import OpenDialog, open_again, open_dialogs
 
 if TYPE_CHECKING:
     from ui.app import Studio
@@ -62,7 +60,7 @@ class Keepsakes:
     actions: dict[str, bool]
     folds: list[str]
     widgets: dict[widget_state.Path, Any]
-    dialogs: tuple[tuple[type[QDialog], Any], ...]
+    dialogs: tuple[OpenDialog, ...]
     focus: widget_state.Path | None
 
 
@@ -81,7 +79,7 @@ def keepsakes(studio: Studio) -> Keepsakes:
         {name: action.isChecked() for name, action in window.commands.by_name.items() if action.isCheckable()},
         window.form.folded_groups(),
         widget_state.states(window, _told_otherwise(studio)),
-        tuple(found for dialog in window.findChildren(QDialog) if (found := _dialog(dialog)) is not None),
+        open_dialogs(studio),
         next((path for path, widget in widget_state.widgets(window) if widget is focus), None),
     )
 
@@ -110,8 +108,8 @@ def show_alike(studio: Studio, kept: Keepsakes) -> None:
     bar, sight = window.area.color_bar, kept.sight
     if bar is not None and sight is not None and sight.color_range is not None:
         bar.set_range(*sight.color_range)
-    for kind, state in kept.dialogs:
-        _open(studio, kind, state)
+    for dialog in kept.dialogs:
+        open_again(studio, dialog)
     for path, widget in widget_state.widgets(window):
         if path == kept.focus:
             widget.setFocus()
@@ -145,7 +143,7 @@ def _look(studio: Studio, sight: Sight) -> None:
     if grid is None:
         return
     controller.display.show_appearance(sight.appearance)
-    controller.set_layers(sight.visible)
+    grid.set_visible_layers(sight.visible)
     check(studio.window.commands.flanks, sight.flank)
     controller.presenter.set_flank(sight.flank)
     grid.restore_view(sight.kept)
@@ -153,23 +151,3 @@ def _look(studio: Studio, sight: Sight) -> None:
     grid.follow_cameras()
     if sight.pin is not None:
         grid.pointing.put_pin(sight.pin)
-
-
-def _dialog(dialog: QDialog) -> tuple[type[QDialog], Any] | None:
-    """A dialog that can be opened again, and where one was in it."""
-    if not dialog.isVisible():
-        return None
-    if isinstance(dialog, PreferencesDialog):
-        return PreferencesDialog, dialog.tabs.currentIndex()
-    if isinstance(dialog, GuideWindow):
-        return GuideWindow, dialog.pages.currentData()
-    return (EquationBrowser, dialog.key) if isinstance(dialog, EquationBrowser) else None
-
-
-def _open(studio: Studio, kind: type[QDialog], state: Any) -> None:
-    if kind is PreferencesDialog:
-        studio.habits.open_preferences(state)
-    elif kind is GuideWindow:
-        studio.controller.help.open_guide(state)
-    else:
-        studio.controller.help.open_equations(state)

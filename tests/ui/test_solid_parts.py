@@ -17,7 +17,8 @@ from gearstudio.theory.place import Place
 from tests.ui.made_up_solid import solid_of
 from tests.ui.stand_ins import Bench
 from ui.blank_shape import blank_shape
-from ui.export_dialog import ExportDialog, export_report
+from ui.export_dialog import ExportDialog
+from ui.exporting import export_report
 from ui.layers import SOLID, Ink, Layer, Style
 from ui.materials import MATERIALS, properties
 from ui.measuring import Frame, Picked, measure, pick

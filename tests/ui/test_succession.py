@@ -11,8 +11,10 @@ from pathlib import Path
 import pytest
 from PySide6.QtCore import QSettings, Qt
 from PySide6.QtGui import QAction, QKeySequence
-from PySide6.QtWidgets import QApplication, QDialog, QMenu, QWidget
+from PySide6.QtWidgets import QApplication, QCheckBox, QDialog, QMenu, QWidget
 
+from gearstudio.design import Design, with_field
+from gearstudio.project import save_design
 from tests.ui.reading import texts_of
 from tests.ui.screen import NEEDS_SCREEN
 from tools import translations
@@ -98,7 +100,7 @@ def test_the_window_takes_another_language_and_keeps_everything_else(studio: Stu
     window.resize(1400, 860)
     grid.set_view("front")
     look = grid.viewport.looks[0]
-    studio.controller.set_layers(grid.visible_layers | {"base_cone"})
+    grid.set_visible_layers(grid.visible_layers | {"base_cone"})
     window.area.color_bar.set_range(-0.5, 0.5)
     window.analysis.show_tab("charts")
     qtbot.wait(300)
@@ -190,6 +192,43 @@ def test_the_dialog_stands_open_in_the_new_language_and_solids_stay(studio: Stud
     assert studio.window.area.grid.viewport.look.eye == pytest.approx(eye)
     studio.controller.solid_mode.set_mode("flanks")
     qtbot.waitUntil(lambda: len(studio.window.area.grid.panels) == 3, timeout=10_000)
+
+
+def test_report_comparison_and_help_stay_open_with_what_was_chosen(studio: Studio, qtbot, tmp_path: Path) -> None:
+    other = tmp_path / "other.gear.toml"
+    save_design(other, with_field(Design(), TEETH, 21))
+    controller, runner = studio.controller, studio.controller.runner
+    controller.reporting.open()
+    report = controller.reporting.dialog
+    for box in report.findChildren(QCheckBox):
+        box.setChecked(box is report._boxes["design"])
+    report.move(60, 40)
+    report.make.click()
+    qtbot.waitUntil(report.save.isEnabled, timeout=PATIENCE_MS)
+    pages = report.pages.page_count
+    report._boxes["derived" if "derived" in report._boxes else "methods"].setChecked(True)
+    chosen = report.sections
+    report.make.click()
+    qtbot.waitUntil(lambda: controller.reporting.keep_state().job is not None, timeout=10_000)
+    studio.desk.compare().compare_with(other)
+    guide = controller.help.open_guide("glossary")
+    guide.search.setText("cone")
+    cancelled: list[object] = []
+    runner.job_cancelled.connect(cancelled.append)
+
+    choose(studio, qtbot, "de")
+    shown = {type(one): one for one in studio.window.findChildren(QDialog) if one.isVisible()}
+    assert {kind.__name__ for kind in shown} == {"ReportDialog", "CompareDialog", "GuideWindow"}
+    again = studio.controller.reporting.dialog
+    assert again is not report and again.windowTitle() == "Bericht" and again.sections == chosen
+    assert again.pages.page_count == pages and (again.x(), again.y()) == (60, 40)
+    compare = next(one for kind, one in shown.items() if kind.__name__ == "CompareDialog")
+    qtbot.waitUntil(lambda: bool(compare.lines), timeout=10_000)
+    assert compare.other.currentData() == other
+    guide = next(one for kind, one in shown.items() if kind.__name__ == "GuideWindow")
+    assert guide.pages.currentData() == "glossary" and guide.search.text() == "cone"
+    qtbot.waitUntil(lambda: again.save.isEnabled(), timeout=PATIENCE_MS)
+    assert not cancelled and not again.trouble.isVisible()
 
 
 def test_every_command_has_a_name_of_its_own_and_keeps_its_key_in_every_language(studio: Studio, qtbot) -> None:
