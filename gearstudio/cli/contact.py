@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from gearstudio.analysis.contact_placing import Misalignment
+from gearstudio.cli.numbers import echoed, number, numbers
 from gearstudio.cli.output import STANDARD_OUTPUT, problem, table, write_json
 from gearstudio.errors import GeometryError
 from gearstudio.project import open_design
@@ -24,23 +25,17 @@ UNUSABLE_INPUT = 2
 
 def misalignment(text: str) -> Misalignment:
     """Four numbers ``E,P,G,S`` as a misalignment; raises ArgumentTypeError."""
-    try:
-        numbers = [float(part) for part in text.split(",")]
-    except ValueError:
-        numbers = []
-    if len(numbers) != 4 or not np.all(np.isfinite(numbers)):
-        raise argparse.ArgumentTypeError(f"{text[:40]} is not E,P,G,S: three lengths in mm and an angle in degrees")
-    return Misalignment(*numbers)
+    found = numbers(text, 4)
+    if len(found) != 4 or not np.all(np.isfinite(found)):
+        raise argparse.ArgumentTypeError(f"{echoed(text)} is not E,P,G,S: three lengths in mm and an angle in degrees")
+    return Misalignment(*found)
 
 
 def thickness(text: str) -> float:
     """A thickness of the marking compound [µm]; raises ArgumentTypeError."""
-    try:
-        value = float(text)
-    except ValueError:
-        value = np.nan
+    value = number(text)
     if not 0 < value < np.inf:
-        raise argparse.ArgumentTypeError(f"{text[:40]} is not a thickness in µm")
+        raise argparse.ArgumentTypeError(f"{echoed(text)} is not a thickness in µm; use more than 0")
     return value
 
 

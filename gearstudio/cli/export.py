@@ -7,6 +7,7 @@ from collections.abc import Iterable
 from pathlib import Path
 
 from gearstudio.cli.findings import findings
+from gearstudio.cli.numbers import echoed, number
 from gearstudio.cli.output import Progress
 from gearstudio.errors import DesignError, Issue
 from gearstudio.formats import FORMATS, OPTIONS, ExportOptions, OptionSpec, options_of
@@ -82,15 +83,11 @@ class _number:  # noqa: N801 - argparse shows the name of a type when it raises 
 
     def __call__(self, text: str) -> float:
         low, high = self._spec.limits
-        try:
-            value = float(text)
-        except ValueError:
-            value = float("nan")
+        value = number(text)
         if not self._spec.allows(value):
             unit = "degrees" if self._spec.unit == "°" else self._spec.unit
-            shown = text if len(text) <= 20 else f"{text[:19]}…"
             what = "a length" if unit == "mm" else "an angle"
-            raise argparse.ArgumentTypeError(f"{shown} is not {what} in {unit}; use {low:g} to {high:g}")
+            raise argparse.ArgumentTypeError(f"{echoed(text, 20)} is not {what} in {unit}; use {low:g} to {high:g}")
         return value
 
 

@@ -13,6 +13,7 @@ from gearstudio import __version__
 from gearstudio.analysis.contact_placing import MARKING_THICKNESS_UM
 from gearstudio.catalogue import MEMBERS, METHOD_IDS, VARIANTS
 from gearstudio.cli import compare, contact, export, info, measure, points, report, screenshot, verify
+from gearstudio.cli.numbers import echoed, number
 from gearstudio.exchange.points import POINT_FORMATS
 from gearstudio.formats import FORMATS
 from gearstudio.theory.cloud import SPACINGS
@@ -34,7 +35,7 @@ class Parser(argparse.ArgumentParser):
         """As argparse, but four numbers after ``--misalign`` may begin with a minus."""
         words = list(sys.argv[1:] if args is None else args)
         for index in range(len(words) - 2, -1, -1):
-            if words[index] == "--misalign" and re.match(r"-[\d.]", words[index + 1]):
+            if words[index] == "--misalign" and re.match(r"-[\d.,]", words[index + 1]):
                 words[index : index + 2] = [f"--misalign={words[index + 1]}"]
         return super().parse_known_args(words, namespace)
 
@@ -153,13 +154,9 @@ def _add_json(parser: argparse.ArgumentParser) -> None:
 
 
 def _length(text: str) -> float:
-    try:
-        length = float(text)
-    except ValueError:
-        length = 0.0
+    length = number(text)
     if not 0 < length < float("inf"):
-        shown = text if len(text) <= 20 else f"{text[:19]}…"
-        raise argparse.ArgumentTypeError(f"{shown} is not a length in mm; use more than 0")
+        raise argparse.ArgumentTypeError(f"{echoed(text, 20)} is not a length in mm; use more than 0")
     return length
 
 
@@ -169,6 +166,7 @@ def _lines(text: str) -> int:
     except ValueError:
         count = 0
     if not FEWEST_LINES <= count <= MOST_LINES:
-        shown = text if len(text) <= 20 else f"{text[:19]}…"
-        raise argparse.ArgumentTypeError(f"{shown} is not a number of lines; use {FEWEST_LINES} to {MOST_LINES}")
+        raise argparse.ArgumentTypeError(
+            f"{echoed(text, 20)} is not a number of lines; use {FEWEST_LINES} to {MOST_LINES}"
+        )
     return count

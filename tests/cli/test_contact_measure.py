@@ -10,6 +10,10 @@ import numpy as np
 import pytest
 
 from gearstudio import cli
+from gearstudio.analysis.contact_placing import Misalignment
+from gearstudio.cli.contact import misalignment, thickness
+from gearstudio.cli.numbers import number
+from gearstudio.cli.parser import make_parser
 from gearstudio.design import Design, with_field
 from gearstudio.project import save_design
 
@@ -88,6 +92,34 @@ def test_contact_refuses_in_one_line(run: Any, design: Path, value: str, reason:
     assert status == 2 and out == "" and len(problems) == 1 and reason in problems[0]
 
 
+@pytest.mark.parametrize(
+    "text", ["-0.05,0.02,0,-0.01", "-0,05;0,02;0;-0,01", "-0,05 0,02 0 -0,01", "−0.05, 0.02, 0, -.01"]
+)
+def test_a_misalignment_has_points_and_commas_or_commas_and_semicolons(text: str) -> None:
+    assert misalignment(text) == Misalignment(-0.05, 0.02, 0.0, -0.01)
+
+
+@pytest.mark.parametrize("text", ["0,05,0,0", "0,1,0,0,0", "0,05,0,0,0,0,0,0", "-0,5,0,0,0"])
+def test_commas_that_seem_to_stand_before_decimals_are_not_guessed_at(run: Any, design: Path, text: str) -> None:
+    status, out, problems = run("contact", design, "--misalign", text)
+    assert (status, out, len(problems)) == (2, "", 1)
+    assert f"the commas of {text} part 4 numbers" in problems[0] and '"0,05;0;0;0"' in problems[0]
+    assert misalignment("0,05;0;0;0").offset == 0.05
+
+
+@pytest.mark.parametrize(
+    ("text", "value"), [("3,5", 3.5), ("0,050", 0.05), (",5", 0.5), ("1,5e-1", 0.15), ("12", 12.0)]
+)
+def test_a_single_number_may_have_a_decimal_comma(text: str, value: float) -> None:
+    assert number(text) == thickness(text) == value
+
+
+def test_a_comma_that_may_part_thousands_is_not_guessed_at(run: Any, design: Path) -> None:
+    status, _, problems = run("contact", design, "--thickness", "1,500")
+    assert status == 2 and "1,500 may be 1.500 or 1500; write one of them" in problems[0]
+    assert np.isnan(number("1,2,3")) and np.isnan(number("a")) and np.isnan(number("1,500.5"))
+
+
 def test_contact_refuses_a_thickness_of_nothing(run: Any, design: Path) -> None:
     status, _, problems = run("contact", design, "--thickness", "0")
     assert status == 2 and "thickness" in problems[0]
@@ -157,3 +189,10 @@ def test_measure_warns_of_points_that_another_cutter_explains(run: Any, points: 
     assert (warning["code"], warning["field"]) == ("other_gear_likely", "lengthwise.cutter_radius")
     assert "80 mm instead of a cutter radius of 72 mm" in warning["message"]
     assert len(problems) == 1 and "warning: lengthwise.cutter_radius: the points fit this wheel badly" in problems[0]
+
+
+def test_every_option_that_takes_a_length_takes_a_decimal_comma() -> None:
+    parse = make_parser().parse_args
+    made = parse(["measure", "preset:default", "p.step", "--member", "wheel", "--spacing", "0,5"])
+    words = ["export", "preset:default", "--member", "wheel", "--part", "gear", "--format", "stl", "--out", "."]
+    assert made.spacing == 0.5 and parse([*words, "--chord", "0,01"]).chord == 0.01
