@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from gearstudio.errors import GeometryError
 from gearstudio.theory.cones import MemberGeometry
-from gearstudio.theory.involute import azimuth_from_arc, involute_azimuth, polar_angle, roll_arc
+from gearstudio.theory.involute import azimuth_from_arc, base_azimuth, polar_angle, roll_arc
 
 Floats = NDArray[np.float64]
 
@@ -98,7 +98,7 @@ def _touching(member: MemberGeometry, radius: float, full_round: bool) -> Fillet
     """The circle of a radius that touches the root circle and the flank or the meridian below it."""
     base = member.base_angle
     centre = member.root_angle + radius
-    start = member.half_tooth_azimuth + float(involute_azimuth(member.pitch_angle, base))
+    start = base_azimuth(member)
     arc = float(roll_arc(centre, base)) if centre >= base else 0.0
     if centre >= base and arc >= radius:
         azimuth = start - float(azimuth_from_arc(arc, base)) + radius / float(np.sin(base))

@@ -96,10 +96,14 @@ def involute_azimuth(polar_angle: ArrayLike, base_angle: float) -> Floats:
     return azimuth_from_arc(roll_arc(polar_angle, base_angle), base_angle)
 
 
+def base_azimuth(member: MemberGeometry) -> float:
+    """Half a tooth's azimuth on the base cone, where its profile starts: at the pitch cone, and beta(delta) [rad]."""
+    return member.half_tooth_azimuth + float(involute_azimuth(member.pitch_angle, member.base_angle))
+
+
 def start_azimuth(member: MemberGeometry, side: int, rho: ArrayLike) -> Floats:
     """Azimuth phi_0 [rad] where a flank meets the base cone at cone distance rho [mm] (theory 5.1)."""
-    pitch_beta = involute_azimuth(member.pitch_angle, member.base_angle)
-    return np.asarray(side * (member.half_tooth_azimuth + pitch_beta) + member.lengthwise.azimuth(rho))
+    return np.asarray(side * base_azimuth(member) + member.lengthwise.azimuth(rho))
 
 
 def tangent_plane(base_angle: ArrayLike, contact_azimuth: ArrayLike) -> tuple[Floats, Floats, Floats]:

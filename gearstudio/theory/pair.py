@@ -7,7 +7,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from gearstudio.theory.cones import MemberGeometry, PairGeometry
 from gearstudio.theory.hypoid.ratios import contact_ratios
-from gearstudio.theory.involute import involute_azimuth
+from gearstudio.theory.involute import base_azimuth, involute_azimuth
 from gearstudio.theory.vectors import about_axis
 
 Floats = NDArray[np.float64]
@@ -80,6 +80,5 @@ def interference(pair: PairGeometry, member: MemberGeometry) -> float:
 
 def tip_half_azimuth(member: MemberGeometry, rho: ArrayLike) -> Floats:
     """Half the tooth's azimuth at its tip at cone distances rho [rad]; not positive means pointed (theory 8)."""
-    pitch_beta = involute_azimuth(member.pitch_angle, member.base_angle)
     tip_beta = involute_azimuth(member.tip_limit.at_sphere(rho), member.base_angle)
-    return np.asarray(member.half_tooth_azimuth + pitch_beta - tip_beta)
+    return np.asarray(base_azimuth(member) - tip_beta)

@@ -17,7 +17,7 @@ from gearstudio.theory.cones import MemberGeometry
 from gearstudio.theory.fillet import Fillet, fillet
 from gearstudio.theory.flank import Flank
 from gearstudio.theory.hypoid.profile import hypoid_profile
-from gearstudio.theory.involute import azimuth_from_arc, involute_azimuth, polar_angle, roll_arc
+from gearstudio.theory.involute import azimuth_from_arc, base_azimuth, involute_azimuth, polar_angle, roll_arc
 from gearstudio.theory.limit import ConeLimit
 from gearstudio.theory.modified import azimuth_shift, azimuth_shift_slope_at_place, flank_on, relief_on
 from gearstudio.theory.section import Profile, Segment, Shift, faded, off_circle
@@ -54,7 +54,7 @@ class ToothProfile:
         m, fillet = self.member, self.fillet
         s = np.asarray(s, dtype=np.float64)
         top = np.asarray(m.tip_angle if tip_angle is None else tip_angle, dtype=np.float64)
-        start = m.half_tooth_azimuth + involute_azimuth(m.pitch_angle, m.base_angle)
+        start = base_azimuth(m)
         if segment == "root":
             azimuth = m.pitch / 2 + s * (fillet.centre_azimuth - m.pitch / 2)
             return np.full_like(s, m.root_angle), azimuth
@@ -139,8 +139,7 @@ class ToothProfile:
     def off_straight(self, side: int, rho: Floats, delta: Floats, phi: Floats) -> Floats:
         """See `Profile`."""
         m = self.member
-        start = m.half_tooth_azimuth + float(involute_azimuth(m.pitch_angle, m.base_angle))
-        across = side * (phi - self.shift(side, rho, delta)) - start
+        across = side * (phi - self.shift(side, rho, delta)) - base_azimuth(m)
         along = rho * m.lengthwise.azimuth_slope(rho) * np.sin(delta)
         return np.asarray(rho * np.arcsin(np.sin(delta) * np.sin(across)) / np.hypot(1.0, along))
 

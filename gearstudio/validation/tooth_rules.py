@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from gearstudio.design import Design
 from gearstudio.errors import GeometryError
 from gearstudio.theory.cones import MemberGeometry
-from gearstudio.theory.involute import involute_azimuth
+from gearstudio.theory.involute import base_azimuth, involute_azimuth
 from gearstudio.theory.pair import tip_half_azimuth
 from gearstudio.validation.nearest import Cure, cure
 from gearstudio.validation.rule import DEPTH, PROFILE, THICKNESS, Finding, Holds, Rule, geometry, members, present
@@ -112,8 +112,7 @@ def _no_thickness(design: Design) -> Iterator[Finding]:
 
 def _has_space(member: MemberGeometry) -> bool:
     start = _flank_start(member)
-    pitch_beta = involute_azimuth(member.pitch_angle, member.base_angle)
-    foot = member.half_tooth_azimuth + pitch_beta - involute_azimuth(start, member.base_angle)
+    foot = base_azimuth(member) - involute_azimuth(start, member.base_angle)
     width = 2 * float(member.pitch / 2 - foot) * np.sin(start) * member.outer_cone_distance
     return bool(width > POINT_FACTOR * member.module)
 

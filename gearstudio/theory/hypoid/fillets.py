@@ -18,7 +18,7 @@ from gearstudio.errors import GeometryError
 from gearstudio.theory.cones import MemberGeometry
 from gearstudio.theory.flank import Flank
 from gearstudio.theory.hypoid.straight import Meridian, Straight
-from gearstudio.theory.involute import azimuth_from_arc, involute_azimuth, polar_angle, roll_arc
+from gearstudio.theory.involute import azimuth_from_arc, base_azimuth, involute_azimuth, polar_angle, roll_arc
 from gearstudio.theory.involute_flank import InvoluteFlank
 from gearstudio.theory.modified import ModifiedFlank, azimuth_shift, azimuth_shift_slope
 from gearstudio.theory.relief import FlankRelief
@@ -137,7 +137,8 @@ class InvoluteSide:
         """See `FilletSide`."""
         if not self.on_meridian:
             return None
-        return Meridian(self.whole.member.base_angle, self.start_azimuth(), lambda rho_u: self.circle(rho_u).foot_angle)
+        member = self.whole.member
+        return Meridian(member.base_angle, base_azimuth(member), lambda rho_u: self.circle(rho_u).foot_angle)
 
     def circle(self, rho_u: Floats) -> Circle:
         """See `FilletSide`."""
@@ -145,22 +146,17 @@ class InvoluteSide:
         centre = self._centre_angle(rho_u)
         radius = np.full_like(centre, self.radius)
         if self.on_meridian:
-            azimuth = self.start_azimuth() + np.arcsin(np.sin(self.radius) / np.sin(centre))
+            azimuth = base_azimuth(member) + np.arcsin(np.sin(self.radius) / np.sin(centre))
             return Circle(radius, centre, azimuth, np.arccos(np.cos(centre) / np.cos(self.radius)))
         arc = self._arc(centre)
-        azimuth = self.start_azimuth() - azimuth_from_arc(arc, member.base_angle)
+        azimuth = base_azimuth(member) - azimuth_from_arc(arc, member.base_angle)
         azimuth = azimuth + self.radius / np.sin(member.base_angle)
         return Circle(radius, centre, azimuth, polar_angle(arc - self.radius, member.base_angle))
 
     def tip_azimuth(self, rho_u: Floats) -> Floats:
         """See `FilletSide`."""
         m = self.whole.member
-        return np.asarray(self.start_azimuth() - involute_azimuth(m.limit_angle(m.tip_limit, rho_u), m.base_angle))
-
-    def start_azimuth(self) -> float:
-        """Azimuth at which the flank meets its base cone [rad], towards the space."""
-        m = self.whole.member
-        return m.half_tooth_azimuth + float(involute_azimuth(m.pitch_angle, m.base_angle))
+        return np.asarray(base_azimuth(m) - involute_azimuth(m.limit_angle(m.tip_limit, rho_u), m.base_angle))
 
     @property
     def relief(self) -> FlankRelief | None:
