@@ -67,6 +67,8 @@ def run(args: argparse.Namespace) -> int:
         progress.clear()
     for warning in pages.warnings:
         problem(warning)
+    for doubt in measured.result.warnings if measured is not None else ():
+        problem(f"{args.measured}: warning: {doubt}")
     print(args.out)
     return 0
 

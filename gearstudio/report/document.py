@@ -156,8 +156,14 @@ def _facts(content: Content) -> tuple[tuple[str, str], ...]:
         (tr("Tolerance"), tr("{size} µm for the optimised variants", size=number(d.methods.tolerance_um))),
         (tr("Made"), made),
         *((tr("Warning"), _issue(issue)) for issue in content.warnings),
+        *((tr("Warning"), f"{told(doubt.message)}.") for doubt in _doubts(content)),
         *((tr("Note"), note) for note in content.notes),
     )  # fmt: skip
+
+
+def _doubts(content: Content) -> tuple[Issue, ...]:
+    """Why measured points may not be of this gear."""
+    return content.measured.result.warnings if content.measured is not None else ()
 
 
 def _issue(issue: Issue) -> str:

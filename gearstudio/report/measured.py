@@ -11,7 +11,7 @@ from gearstudio.analysis.measurement import MeasurementResult
 from gearstudio.report import measured_charts
 from gearstudio.report.blocks import Block, Table, Text, rows
 from gearstudio.report.content import Content
-from gearstudio.report.language import FLANKS_SAID, inline, number, tr
+from gearstudio.report.language import FLANKS_SAID, inline, number, told, tr
 from gearstudio.report.language import MEMBERS_SAID as MEMBERS
 from gearstudio.report.measuring import Measured
 from gearstudio.report.store import Store
@@ -22,7 +22,7 @@ _NOTHING = "–"
 
 
 def chapter_blocks(content: Content, store: Store) -> list[Block]:
-    """What was measured and how, the errors of each flank, the map and the pitch."""
+    """What was measured and how, whether it is this gear, the errors of each flank, the map and the pitch."""
     found = content.measured
     if found is None:
         return [Text(tr("The measured points could not be compared with this design; see the notes."))]
@@ -30,6 +30,7 @@ def chapter_blocks(content: Content, store: Store) -> list[Block]:
     member = content.pair.member(result.member)
     blocks: list[Block] = [
         Text(_how(found)),
+        *(Text(tr("Warning: {message}.", message=told(doubt.message))) for doubt in result.warnings),
         Table((tr("All points"), tr("Value"), tr("Unit")), rows(_whole(result, member.teeth)), "lrl"),
         Table((tr("Error"), *(tr(FLANKS_SAID[name]) for name in FLANKS), tr("Unit")), rows(_flanks(result)), "lddl"),
         store.add(

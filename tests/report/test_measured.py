@@ -12,6 +12,7 @@ from gearstudio.report.blocks import Picture, Table, Text
 from gearstudio.report.chapters import chapter
 from gearstudio.report.content import Beside, gather
 from gearstudio.report.document import Order, compose
+from gearstudio.report.language import language, speaking, told
 from gearstudio.report.measuring import Measured, MeasuredFile, compared, read_file
 from gearstudio.report.store import Store, Taken
 from gearstudio.theory.cones import pair_geometry
@@ -82,6 +83,28 @@ def test_points_of_another_gear_are_noted_and_the_rest_is_made() -> None:
     assert [one.key for one in pages.chapters] == ["design", KEY]
     assert any(name == "Note" for name, _ in pages.facts)
     assert "see the notes" in pages.chapters[1].blocks[0].text  # type: ignore[union-attr]
+
+
+@pytest.mark.parametrize("code", ["en", "de", "zh"])
+def test_points_that_may_be_of_another_gear_are_warned_of(code: str) -> None:
+    """The same cutter radius as the window and `measure` name, in the chapter and on the first page."""
+    cut = with_field(Design(), "lengthwise.cutter_radius", 78.0)
+    order = Order((KEY,), "wheel", code, Beside(measured=_file(_points(9, 0.0), (True, True))))
+    (doubt,) = compared(cut, pair_geometry(cut), order.beside.measured).result.warnings  # type: ignore[arg-type]
+    assert doubt.field == "lengthwise.cutter_radius" and "78 mm" in doubt.message
+    with speaking(language(code)):
+        said = told(doubt.message)
+    assert (said == doubt.message) == (code == "en")
+    pages = compose(cut, order, Taken, lambda *_: None)
+    said = said if pages.language == code else doubt.message
+    assert f"{said}." in [value for _, value in pages.facts]
+    assert any(said in block.text for block in pages.chapters[0].blocks if isinstance(block, Text))
+
+
+def test_points_that_fit_are_not_warned_of() -> None:
+    pages = compose(Design(), Order((KEY,), "wheel", "en", Beside(measured=_file(_points()))), Taken, lambda *_: None)
+    assert not any(name == "Warning" for name, _ in pages.facts)
+    assert not any(block.text.startswith("Warning") for block in pages.chapters[0].blocks if isinstance(block, Text))
 
 
 def test_without_points_there_is_no_section() -> None:
