@@ -1,6 +1,6 @@
 # GearStudio: make run, make test. Both set up everything they need in .venv the first time.
 PY := .venv/bin/python
-unexport PYTHONDONTWRITEBYTECODE
+unexport PYTHONDONTWRITEBYTECODE PYTHONHOME PYTHONPATH
 export PYTHONFAULTHANDLER := 1
 .NOTPARALLEL:
 .PHONY: help run test lint format unit bench bundle clean

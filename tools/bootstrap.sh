@@ -3,7 +3,7 @@
 # Usage: tools/bootstrap.sh run|dev|bench|bundle.  Set PYTHON to choose the interpreter. The second time it does nothing.
 set -eu
 cd "$(dirname "$0")/.."
-unset PYTHONDONTWRITEBYTECODE PYTHONHOME PYTHONPATH VIRTUAL_ENV
+unset PYTHONDONTWRITEBYTECODE PYTHONHOME PYTHONPATH VIRTUAL_ENV PIP_USER PIP_TARGET PIP_PREFIX PIP_ROOT
 
 kind=${1:-run}
 case $kind in
@@ -12,6 +12,7 @@ case $kind in
     *) echo "usage: tools/bootstrap.sh run|dev|bench|bundle" >&2; exit 2 ;;
 esac
 python=.venv/bin/python
+under_way=.venv/under-way # the process that installs; left behind by one that was killed
 
 say() { echo "==> $*"; }
 stop() { echo "gearstudio: $*" >&2; exit 1; }
@@ -44,7 +45,7 @@ has_venv() { "$1" -c 'import venv, ensurepip' >/dev/null 2>&1; }
 interpreters() {
     [ -z "${PYTHON:-}" ] || { echo "$PYTHON"; return; }
     printf '%s\n' python3.11 python3.12 python3.13 python3.14 python3 /usr/bin/python3
-    ls -d "${PYENV_ROOT:-$HOME/.pyenv}"/versions/3.1[1-4]*/bin/python3 2>/dev/null || true
+    ls -d "${PYENV_ROOT:-${HOME:-}/.pyenv}"/versions/3.1[1-4]*/bin/python3 2>/dev/null || true
     ! command -v uv >/dev/null 2>&1 || uv python find '>=3.11' 2>/dev/null || true
 }
 
@@ -52,14 +53,14 @@ interpreters() {
 find_python() {
     local candidate bare=
     found=
-    for candidate in $(interpreters); do
+    while read -r candidate; do
         usable "$candidate" || continue
         if has_venv "$candidate"; then
             found=$candidate
             return 0
         fi
         bare=${bare:-$candidate}
-    done
+    done < <(interpreters)
     [ -z "$bare" ] || missing_venv=python$("$bare" -c 'import sys; print("%d.%d" % sys.version_info[:2])')-venv
     return 1
 }
@@ -89,23 +90,43 @@ then run make again."
 checksum() { cat requirements.txt "$1" tools/bootstrap.sh | cksum; }
 installed() { [ "$(cat ".venv/$1.installed" 2>/dev/null)" = "$(checksum "$1")" ]; }
 
+# Whether .venv can be used as it is: its Python runs, nothing stopped half way, and it has pip where that is needed.
+works() {
+    usable $python && [ ! -e $under_way ] || return 1
+    installed $requirements || has_pip || { $python -m ensurepip >/dev/null 2>&1 && has_pip; }
+}
+has_pip() { $python -m pip --version >/dev/null 2>&1; }
+
 make_environment() {
-    if [ -e .venv ] && ! { usable $python && $python -c 'import pip' 2>/dev/null; }; then
-        say "removing an environment that does not work any more"
+    local other
+    other=$(cat $under_way 2>/dev/null || true)
+    if [ -n "$other" ] && kill -0 "$other" 2>/dev/null; then
+        stop "process $other is setting up this folder; wait for it. If there is no such set-up, delete .venv."
+    fi
+    if [ -e .venv ] && ! works; then
+        say "removing an environment that does not work, or was left half made"
         rm -rf .venv
     fi
     if [ ! -e .venv ]; then
         choose_python
         say "making .venv with $("$found" --version)"
-        "$found" -m venv .venv
+        mkdir .venv
+        echo $$ >$under_way
+        "$found" -m venv .venv || stop "the environment could not be made; see above"
+        rm $under_way
     fi
 }
 
 install_packages() {
     local file=$1
     say "installing the pinned packages of $file into .venv (once, some minutes)"
-    $python -m pip install -qq --disable-pip-version-check --no-input --no-compile -r "$file" ||
+    echo $$ >$under_way
+    trap 'exit 130' INT # before what follows a failure
+    $python -m pip install -qq --disable-pip-version-check --no-input --no-compile -r "$file" || {
+        rm $under_way
         stop "the packages could not be installed; see above (a network is needed this once)"
+    }
+    rm $under_way
     say "compiling bytecode"
     $python -m compileall -q -j 0 .venv/lib >/dev/null 2>&1 || true
     checksum "$file" >".venv/$file.installed"
