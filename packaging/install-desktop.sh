@@ -5,6 +5,7 @@ set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 program=${1:-gearstudio}
 path=$(command -v "$program") || { echo "install-desktop.sh: $program is not installed" >&2; exit 2; }
+path=$(cd "$(dirname "$path")" && pwd)/$(basename "$path") # a desktop starts it from elsewhere
 share=${XDG_DATA_HOME:-$HOME/.local/share}
 mkdir -p "$share/applications" "$share/mime/packages" "$share/icons/hicolor/scalable/apps"
 escaped=$(printf '%s' "$path" | sed 's/[\\&|"]/\\&/g')

@@ -200,7 +200,9 @@ def test_the_desktop_is_told_where_the_program_is(tmp_path: Path) -> None:
     program.chmod(0o755)
     environment = os.environ | {"XDG_DATA_HOME": str(tmp_path / "share")}
     script = str(ROOT / "packaging" / "install-desktop.sh")
-    subprocess.run(["sh", script, str(program)], env=environment, check=True, capture_output=True, timeout=30)
+    beside = program.relative_to(tmp_path)
+    call = ["sh", script, str(beside)]
+    subprocess.run(call, cwd=tmp_path, env=environment, check=True, capture_output=True, timeout=30)
     text = (tmp_path / "share" / "applications" / "gearstudio.desktop").read_text(encoding="utf-8")
     assert f'Exec="{program}" %f\n' in text and f"TryExec={program}\n" in text
     assert (tmp_path / "share" / "mime" / "packages" / "gearstudio-mime.xml").is_file()
