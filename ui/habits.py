@@ -20,6 +20,7 @@ from ui.words import tr
 
 if TYPE_CHECKING:
     from ui.controller import Controller
+    from ui.preferences_dialog import PreferencesDialog
     from ui.theme import Theme
 
 FOLDED = "form/folded"
@@ -48,7 +49,7 @@ class Habits(QObject):
             theme.choose(SCHEMES[choices.theme])
         self._use_units(choices)
 
-    def open_preferences(self, page: int = 0) -> None:
+    def open_preferences(self, page: int = 0) -> PreferencesDialog:
         """Show the dialog of preferences."""
         from ui.preferences_dialog import PreferencesDialog
 
@@ -56,6 +57,7 @@ class Habits(QObject):
         dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         dialog.tabs.setCurrentIndex(page)
         dialog.open()
+        return dialog
 
     def open_palette(self) -> None:
         """Show the command palette."""

@@ -44,6 +44,7 @@ def inheritance_of(studio: Studio) -> Inheritance:
     files, desk, controller, closing = studio.files, studio.desk, studio.controller, studio.window.closing
     solids, preferences = controller.solid_mode.solids, studio.habits.preferences
     controller.succeeded = True
+    controller.reporting.let_go()
     closing.disconnect(files.lock.release)
     if desk.autosave is not None:
         closing.disconnect(desk.autosave.close)

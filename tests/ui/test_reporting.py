@@ -191,3 +191,52 @@ def test_nothing_ticked_nothing_to_make_and_choices_are_kept(qtbot: QtBot, desk:
 def test_the_dialog_fits_a_small_screen(desk: Desk) -> None:
     assert desk.dialog.minimumSizeHint().width() <= QSize(1280, 680).width()
     assert desk.dialog.minimumSizeHint().height() <= QSize(1280, 680).height()
+
+
+def test_another_window_goes_on_with_the_report_and_the_old_one_stops_nothing(qtbot: QtBot, desk: Desk) -> None:
+    desk.dialog._boxes["convergence"].setChecked(False)
+    desk.dialog.member.setCurrentIndex(0)
+    desk.dialog.language.setCurrentIndex(desk.dialog.language.findData("zh"))
+    desk.runner.job_done.emit(desk.make(qtbot), replace(MADE, warnings=("no font was found",)))
+    told = desk.dialog.trouble.text()
+    job = desk.make(qtbot)
+    desk.runner.job_progressed.emit(job, "theory", 0.4)
+    work = desk.reporting.keep_state()
+    assert work is not None and work.wanted is None and work.job is job
+
+    next_one = Desk(qtbot)
+    next_one.runner.jobs.append(job)
+    desk.reporting.let_go()
+    with qtbot.assertNotEmitted(desk.runner.job_cancelled):
+        desk.dialog.reject()
+    dialog = next_one.reporting.take_state(work)
+    assert dialog.pages.page_count == 3 and dialog.member.currentData() == "pinion"
+    assert (
+        dialog.language.currentData() == "zh" and "convergence" not in dialog.sections and "design" in dialog.sections
+    )
+    assert dialog.stop.isEnabled() and not dialog.make.isEnabled() and dialog.progress.value() == 40
+    next_one.runner.job_done.emit(job, replace(MADE, warnings=("no font was found",)))
+    assert dialog.trouble.text() == told and dialog.save.isEnabled() and not dialog.stop.isEnabled()
+    at_rest = next_one.reporting.keep_state()
+    assert at_rest is not None and at_rest.state.stage is None and at_rest.job is None
+    dialog.reject()
+    assert next_one.reporting.keep_state() is None
+
+
+def test_a_report_whose_pictures_are_being_taken_begins_anew_in_the_next_window(qtbot: QtBot, desk: Desk) -> None:
+    qtbot.mouseClick(desk.dialog.make, Qt.MouseButton.LeftButton)
+    work = desk.reporting.keep_state()
+    assert work is not None and work.job is None and work.wanted is not None and not desk.runner.jobs
+    desk.reporting.let_go()
+    next_one = Desk(qtbot)
+    next_one.reporting.take_state(work)
+    qtbot.waitUntil(lambda: len(next_one.runner.jobs) == 1)
+    assert next_one.runner.jobs[0].sections == work.wanted[0] and not desk.runner.jobs
+
+
+def test_what_went_wrong_is_told_in_the_next_window_too(qtbot: QtBot, desk: Desk) -> None:
+    desk.runner.job_failed.emit(desk.make(qtbot), "no room for the teeth", "")
+    work = desk.reporting.keep_state()
+    assert work is not None
+    dialog = Desk(qtbot).reporting.take_state(work)
+    assert "no room for the teeth" in dialog.trouble.text() and dialog.trouble.isVisible() and dialog.make.isEnabled()

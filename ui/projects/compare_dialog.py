@@ -80,6 +80,22 @@ class CompareDialog(QDialog):
         self.other.setCurrentIndex(self.other.count() - 1)
         self._request()
 
+    def keep_state(self) -> tuple[object, bool]:
+        """The design or the path that is chosen (None at first), and whether differences alone are shown."""
+        return self.other.currentData(), self.only.isChecked()
+
+    def take_state(self, state: tuple[object, bool]) -> None:
+        """Compare with the same."""
+        chosen, only = state
+        self.only.setChecked(only)
+        known = (index for index in range(self.other.count()) if self.other.itemData(index) == chosen)
+        index = next(known, NOTHING)
+        if index == NOTHING and isinstance(chosen, Path):
+            self.compare_with(chosen)
+        elif index != NOTHING:
+            self.other.setCurrentIndex(index)
+            self._request()
+
     def _arrange(self) -> None:
         row = QHBoxLayout()
         row.addWidget(self.other, 1)

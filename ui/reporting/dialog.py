@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -36,6 +37,29 @@ _SIZE = (1040, 660)
 _SETTINGS = "report"
 
 
+@dataclass(frozen=True)
+class ReportState:
+    """What is chosen and shown.
+
+    Attributes
+    ----------
+    place : int
+        How far the pages are scrolled down, in pixels.
+    troubles : tuple of str
+        Lines of the warning over the pages.
+    stage : (str, float) or None
+        What is being done, and which part of it is; None at rest.
+    """
+
+    ticked: frozenset[str]
+    member: str
+    language: str
+    made: Reported | None
+    place: int
+    troubles: tuple[str, ...]
+    stage: tuple[str, float] | None
+
+
 class ReportDialog(QDialog):
     """Chooses sections, shows the pages, saves the PDF; the work itself is its owner's.
 
@@ -60,6 +84,8 @@ class ReportDialog(QDialog):
         self.resize(*_SIZE)
         self._name, self._folder = name, folder
         self._made: Reported | None = None
+        self._troubles: tuple[str, ...] = ()
+        self._stage: tuple[str, float] | None = None
         self._boxes = self._section_boxes()
         self.member = QComboBox()
         self.member.setAccessibleName(tr("Maps and charts of"))
@@ -108,6 +134,34 @@ class ReportDialog(QDialog):
         """Keys of the ticked sections that there can be, in the order of the report."""
         return tuple(key for key in SECTION_KEYS if self._boxes[key].isChecked() and self._boxes[key].isEnabled())
 
+    def keep_state(self) -> ReportState:
+        """For `take_state` of another one."""
+        return ReportState(
+            frozenset(key for key, box in self._boxes.items() if box.isChecked()),
+            self.member.currentData(),
+            self.language.currentData(),
+            self._made,
+            self.pages.verticalScrollBar().value(),
+            self._troubles,
+            self._stage,
+        )
+
+    def take_state(self, state: ReportState) -> None:
+        """Show the same; what was said is said in the present language."""
+        for key, box in self._boxes.items():
+            box.setChecked(key in state.ticked)
+        self.member.setCurrentIndex(self.member.findData(state.member))
+        self.language.setCurrentIndex(self.language.findData(state.language))
+        troubles = tuple(told(trouble) for trouble in state.troubles)
+        if state.made is not None:
+            self.show_report(state.made)
+            self.pages.scroll_to(state.place)
+        elif troubles:
+            self.pages.say("\n".join(troubles))
+        self._warn(*troubles)
+        if state.stage is not None:
+            self.show_progress(*state.stage)
+
     def show_measured(self, name: str) -> None:
         """There are measured points of a file, or none."""
         box = self._boxes["measurement"]
@@ -117,7 +171,8 @@ class ReportDialog(QDialog):
 
     def show_progress(self, stage: str, fraction: float) -> None:
         """The report is being made."""
-        self._warn("")
+        self._warn()
+        self._stage = stage, fraction
         said = told(stage)
         self.stage.setText(said[:1].upper() + said[1:])
         self.progress.setValue(round(100 * fraction))
@@ -129,7 +184,7 @@ class ReportDialog(QDialog):
         self.pages.show_pages(made.pages)
         self.stage.setText(tr("{count} pages, {size:.1f} MB", count=len(made.pages), size=len(made.pdf) / 1e6))
         self._busy(False)
-        self._warn("\n".join(told(warning) for warning in made.warnings))
+        self._warn(*(told(warning) for warning in made.warnings))
 
     def show_failure(self, text: str) -> None:
         """The report could not be made, or not be saved; the last one stays, and the reason until it is made again."""
@@ -144,9 +199,10 @@ class ReportDialog(QDialog):
         if self._made is not None and not self.progress.isVisible():
             self._warn(tr("Out of date: the design was changed after these pages were made. Update the preview."))
 
-    def _warn(self, text: str) -> None:
-        self.trouble.setText(text)
-        self.trouble.setVisible(bool(text))
+    def _warn(self, *lines: str) -> None:
+        self._troubles = lines
+        self.trouble.setText("\n".join(lines))
+        self.trouble.setVisible(bool(lines))
 
     def reject(self) -> None:
         """Closing stops what is being made."""
@@ -199,6 +255,7 @@ class ReportDialog(QDialog):
         self._busy(False)
 
     def _busy(self, busy: bool) -> None:
+        self._stage = self._stage if busy else None
         self.progress.setVisible(busy)
         self.stop.setEnabled(busy)
         self.make.setEnabled(not busy and bool(self.sections))

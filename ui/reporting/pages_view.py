@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import Qt, QTimer
 from PySide6.QtGui import QImage, QPixmap
 from PySide6.QtWidgets import QFrame, QLabel, QScrollArea, QVBoxLayout, QWidget
 
@@ -55,3 +55,7 @@ class PagesView(QScrollArea):
         self._pages = len(pages)
         self.setWidget(sheet)
         self.verticalScrollBar().setValue(place)
+
+    def scroll_to(self, place: int) -> None:
+        """Scroll down so many pixels, once the pages have their sizes."""
+        QTimer.singleShot(0, self, lambda: self.verticalScrollBar().setValue(place))

@@ -45,6 +45,11 @@ class ReportPictures(QObject):
         self._missing: list[str] = []
         self._language = ENGLISH
 
+    @property
+    def at_work(self) -> bool:
+        """Whether some are being taken."""
+        return self._steps is not None
+
     def take(self, language: str) -> None:
         """Begin, with titles in a language; `taken` comes when all are there."""
         self.stop()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, cast
 
@@ -9,7 +10,7 @@ from PySide6.QtCore import QObject
 
 from gearstudio.errors import FileError
 from gearstudio.words import ENGLISH
-from ui.reporting.dialog import ReportDialog
+from ui.reporting.dialog import ReportDialog, ReportState
 from ui.reporting.pictures import ReportPictures
 from ui.words import told, tr
 
@@ -25,6 +26,23 @@ if TYPE_CHECKING:
     from ui.solid_mode import SolidMode
 
 _PREVIEW_DPI = 80
+
+
+@dataclass(frozen=True)
+class ReportWork:
+    """Of a dialog that is open.
+
+    Attributes
+    ----------
+    job : ReportJob, optional
+        That the CAD process is at or will be.
+    wanted : tuple, optional
+        Sections, member and language of a report whose pictures are still being taken.
+    """
+
+    state: ReportState
+    job: ReportJob | None
+    wanted: tuple[tuple[str, ...], Any, str] | None
 
 
 class Reporting(QObject):
@@ -66,6 +84,30 @@ class Reporting(QObject):
         self._show_measured()
         self.dialog.show()
         self.dialog.raise_()
+
+    def keep_state(self) -> ReportWork | None:
+        """What another window needs to go on with the report; None while there is no dialog."""
+        if self.dialog is None or not self.dialog.isVisible():
+            return None
+        painting = (*self._wanted, self._language) if self._pictures.at_work else None
+        return ReportWork(self.dialog.keep_state(), self._job, painting)
+
+    def let_go(self) -> None:
+        """Another window goes on with the report: closing the dialog stops nothing any more."""
+        self._pictures.stop()
+        self._job = None
+        if self.dialog is not None:
+            self.dialog.cancelled.disconnect(self._cancel)
+
+    def take_state(self, work: ReportWork) -> ReportDialog:
+        """Go on where another window was; pictures are taken of this one."""
+        self.open()
+        assert self.dialog is not None
+        self.dialog.take_state(work.state)
+        self._job = work.job
+        if work.wanted is not None:
+            self.make(*work.wanted)
+        return self.dialog
 
     def make(self, sections: tuple[str, ...], member: Any, language: str) -> None:
         """Have the report of the design as it is now made."""
