@@ -23,6 +23,7 @@ _BAD_RMS_MODULES = 0.004
 _BAD_RMS_MM = 0.01
 """Parts as bad as this are seldom made; an angle that is off by less is an error of making, and told as that."""
 _EXPLAINED = 0.3
+_LEAST_UM = 0.01
 _ROUNDS = 5
 _SETTLED = 1e-6
 _LOOKED_AT = 400
@@ -103,7 +104,8 @@ def _likeliest(
     if left >= _EXPLAINED * rms:
         return None, ""
     given = number.words(_value(design, number.field))
-    return number, f"with {number.words(value)} instead of {given} it would be {1e3 * left:.2g} µm"
+    left_um = f"{1e3 * left:.2g}" if 1e3 * left >= _LEAST_UM else "0.00"
+    return number, f"with {number.words(value)} instead of {given} it would be {left_um} µm"
 
 
 def _explanations(

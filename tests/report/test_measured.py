@@ -91,7 +91,7 @@ def test_points_that_may_be_of_another_gear_are_warned_of(code: str) -> None:
     cut = with_field(Design(), "lengthwise.cutter_radius", 78.0)
     order = Order((KEY,), "wheel", code, Beside(measured=_file(_points(9, 0.0), (True, True))))
     (doubt,) = compared(cut, pair_geometry(cut), order.beside.measured).result.warnings  # type: ignore[arg-type]
-    assert doubt.field == "lengthwise.cutter_radius" and "78 mm" in doubt.message
+    assert doubt.field == "lengthwise.cutter_radius" and "78 mm it would be 0.00 µm" in doubt.message
     with speaking(language(code)):
         said = told(doubt.message)
     assert (said == doubt.message) == (code == "en")

@@ -111,7 +111,7 @@ class CompareDialog(QDialog):
     def _ask(self) -> None:
         from ui.files import FILTER
 
-        name, _ = QFileDialog.getOpenFileName(self, tr("Compare with design"), self._folder, FILTER)
+        name, _ = QFileDialog.getOpenFileName(self, tr("Compare with design"), self._folder, tr(FILTER))
         if name:
             self.compare_with(Path(name))
 
