@@ -4,14 +4,16 @@ from __future__ import annotations
 
 import gc
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
 from PySide6.QtCore import QCoreApplication, QSettings, QStandardPaths, Qt
 from PySide6.QtWidgets import QApplication
 
-from ui.app import prepare_qt
+from tests.ui.runner_watch import workers
+from tests.ui.stand_ins import Bench
+from ui.app import Studio, prepare_qt
 from ui.collecting import Collector
 from ui.theme import Theme
 
@@ -66,6 +68,40 @@ def _no_view_is_left_open() -> Iterator[None]:
     for thing in left:
         thing.close()
     assert not left, "a test left 3D views open"
+
+
+@pytest.fixture
+def settings(tmp_path: Path) -> QSettings:
+    return QSettings(str(tmp_path / "settings.ini"), QSettings.Format.IniFormat)
+
+
+@pytest.fixture
+def bench(qtbot, theme) -> Iterator[Bench]:
+    """A window in sight without views, with a runner that does what the test says."""
+    made = Bench()
+    made.window.show()
+    yield made
+    made.close()
+
+
+@pytest.fixture
+def open_studio(qtbot, theme, settings: QSettings) -> Iterator[Callable[..., Studio]]:
+    """Opens windows of the whole program; in the end nothing is left of them."""
+    opened: list[Studio] = []
+
+    def make(**options: object) -> Studio:
+        studio = Studio(theme, settings, **options)
+        opened.append(studio)
+        studio.window.show()
+        return studio
+
+    yield make
+    for studio in opened:
+        studio.window.may_close = lambda: True
+        studio.window.close()
+        studio.window.deleteLater()
+        studio.language.speak("en")
+    assert workers() == []
 
 
 @pytest.fixture

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -17,14 +16,6 @@ from ui.session import Key
 
 pytestmark = pytest.mark.ui
 TEETH = "pair.pinion_teeth"
-
-
-@pytest.fixture
-def bench(qtbot, theme) -> Iterator[Bench]:
-    made = Bench()
-    made.window.show()
-    yield made
-    made.close()
 
 
 def cells(bench: Bench, column: int) -> list[str]:

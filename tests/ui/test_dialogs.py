@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -22,12 +21,14 @@ from PySide6.QtWidgets import (
 
 from gearstudio.design import Design
 from gearstudio.project import save_design
+from tests.ui.screen import NEEDS_SCREEN
 from tests.ui.test_habits import _takes_keys, _tip, _where
-from tests.ui.test_studio import PATIENCE_MS, complete, pytestmark  # noqa: F401 - a real screen is needed here too
+from tests.ui.whole import PATIENCE_MS, complete
 from ui.actions import COMMANDS
 from ui.app import Studio
 from ui.charts.frame import _Hint as Hint
 
+pytestmark = NEEDS_SCREEN
 DIALOGS = (
     "export", "report", "screenshot", "film", "backups", "compare_design", "preferences", "palette", "keys",
     "guide", "glossary", "equations", "about", "reset_settings",
@@ -37,24 +38,21 @@ DOTS = {"open", "save_as", "recover"}
 
 
 @pytest.fixture
-def studio(qtbot, theme, tmp_path: Path) -> Iterator[Studio]:
+def studio(open_studio, qtbot, settings: QSettings, tmp_path: Path) -> Studio:
     folder = tmp_path
-    settings = QSettings(str(folder / "settings.ini"), QSettings.Format.IniFormat)
     settings.setValue("help/tour_seen", True)
-    made = Studio(theme, settings, data=folder / "data")
+    made = open_studio(data=folder / "data")
     made.window.resize(1280, 720)
-    made.window.show()
     for _ in range(PATIENCE_MS // 50):
         if complete(made):
             break
         QTest.qWait(50)
     save_design(folder / "a.gear.toml", Design())
-    assert made.files.open_path(folder / "a.gear.toml") and made.files.save()
+    made.files.open_path(folder / "a.gear.toml")
+    qtbot.waitUntil(lambda: made.session.path is not None, timeout=PATIENCE_MS)
+    assert made.files.save()
     QTest.qWait(500)
-    yield made
-    made.window.may_close = lambda: True
-    made.window.close()
-    made.window.deleteLater()
+    return made
 
 
 def shown() -> list[QWidget]:

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import QSettings, QTimer
+from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QApplication
 
 from gearstudio.cli import main
@@ -19,13 +19,10 @@ PATIENCE_MS = 120_000
 
 
 @pytest.fixture
-def studio(qtbot, theme, tmp_path) -> Iterator[Studio]:
-    made = Studio(theme, QSettings(str(tmp_path / "settings.ini"), QSettings.Format.IniFormat))
-    made.window.may_close = lambda: True
-    made.window.show()
+def studio(open_studio, qtbot) -> Studio:
+    made = open_studio()
     qtbot.waitUntil(lambda: made.controller.runner is not None, timeout=PATIENCE_MS)
-    yield made
-    made.window.close()
+    return made
 
 
 def export(studio: Studio, qtbot, fill: Callable[[ExportDialog], None]) -> None:

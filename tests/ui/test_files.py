@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import errno
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -20,14 +19,6 @@ from ui.files import _file_name
 pytestmark = pytest.mark.ui
 TEETH = "pair.pinion_teeth"
 Answer = QMessageBox.StandardButton
-
-
-@pytest.fixture
-def bench(qtbot, theme) -> Iterator[Bench]:
-    made = Bench()
-    made.window.show()
-    yield made
-    made.close()
 
 
 @pytest.fixture
@@ -71,7 +62,7 @@ def test_a_damaged_file_is_refused_in_words_and_changes_nothing(bench: Bench, tm
     path = tmp_path / f"{name}.gear.toml"
     path.write_bytes(content)
     before = dict(bench.session.draft)
-    assert not bench.files.open_path(path)
+    bench.files.open_path(path)
     text = bench.window.messages.text
     assert text.count(path.name) == 1 and "Traceback" not in text and "Error" not in text
     assert str(path.parent) not in text and "TOML" not in text
@@ -101,7 +92,7 @@ def test_a_damaged_file_is_refused_with_what_to_do(bench: Bench, tmp_path, conte
 
 def test_a_folder_and_a_missing_file_are_refused(bench: Bench, tmp_path) -> None:
     for path, said in ((tmp_path, "this is a folder"), (tmp_path / "none.gear.toml", "there is no such file")):
-        assert not bench.files.open_path(path)
+        bench.files.open_path(path)
         assert f"{path.name} was not opened: {said}" in bench.window.messages.text
         assert str(path.parent) not in bench.window.messages.text
 
@@ -111,7 +102,7 @@ def test_a_file_without_permission_is_refused(bench: Bench, tmp_path, monkeypatc
         raise PermissionError(errno.EACCES, "Permission denied", str(path))
 
     monkeypatch.setattr(Path, "read_bytes", refuse)
-    assert not bench.files.open_path(tmp_path / "a.gear.toml")
+    bench.files.open_path(tmp_path / "a.gear.toml")
     assert bench.window.messages.text == "a.gear.toml was not opened: no permission; ask who owns it to let you read it"
 
 

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import QPoint, QSettings, Qt, QTimer
+from PySide6.QtCore import QPoint, Qt, QTimer
 from PySide6.QtGui import QImage
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
@@ -24,6 +24,7 @@ from shiboken6 import isValid
 
 from gearstudio.kernel.exchange import read_shape, solids_of
 from tests.ui.screen import NEEDS_SCREEN
+from tests.ui.whole import complete
 from ui.app import Studio
 from ui.export_dialog import ExportDialog
 from ui.formatting import METHOD_TITLES
@@ -139,22 +140,16 @@ class Person:
         self.when(QFileDialog, lambda dialog: QTimer.singleShot(300, lambda: type_name(dialog)))
 
     def settled(self) -> bool:
-        session = self.studio.session
-        return self.window.area.grid is not None and session.pair is not None and not session.missing_keys()
+        return complete(self.studio)
 
 
 @pytest.fixture
-def person(qtbot, theme, tmp_path: Path) -> Iterator[Person]:
-    settings = QSettings(str(tmp_path / "settings.ini"), QSettings.Format.IniFormat)
-    made = Person(Studio(theme, settings))
+def person(open_studio) -> Person:
+    made = Person(open_studio())
     made.studio.loader.finished.connect(lambda: made.studio.controller.help.tour.offer())  # as at a first start
     made.window.resize(1560, 940)
-    made.window.show()
     made.wait(made.settled, "the first picture", 90)
-    yield made
-    made.window.may_close = lambda: True
-    made.window.close()
-    made.window.deleteLater()
+    return made
 
 
 def button(dialog: QWidget, text: str) -> QPushButton:

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 import pytest
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QWheelEvent
@@ -39,12 +37,9 @@ TEETH = "pair.pinion_teeth"
 
 
 @pytest.fixture
-def bench(qtbot, theme) -> Iterator[Bench]:
-    made = Bench()
-    made.window.resize(1280, 720)
-    made.window.show()
-    yield made
-    made.close()
+def bench(bench: Bench) -> Bench:
+    bench.window.resize(1280, 720)
+    return bench
 
 
 @pytest.mark.parametrize("spec", NUMBERS, ids=lambda spec: spec.path)

@@ -18,12 +18,13 @@ from docs.scenes.stage import Stage, spin
 from gearstudio.catalogue import METHOD_IDS, VARIANTS
 from tests.ui.layout_check import LEAST, faults
 from tests.ui.made_up import member_of, result_of
+from tests.ui.screen import NEEDS_SCREEN
 from tests.ui.stand_ins import FakeRunner
-from tests.ui.test_studio import pytestmark  # noqa: F401 - a real screen is needed here too
 from ui import app
 from ui.language import Language
 from ui.loading import STAGES, Loader
 
+pytestmark = NEEDS_SCREEN
 SCENES = (panels.views, panels.form, dialogs.exports, dialogs.preferences)
 MORE = (
     panels.derived_and_log, panels.messages, panels.solids, pages.charts, pages.contact, pages.data_sheet,

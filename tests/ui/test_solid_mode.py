@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 import pytest
 
 from gearstudio.design import Design
@@ -17,14 +15,6 @@ from ui.solids import REST_MS
 pytestmark = pytest.mark.ui
 TEETH = "pair.pinion_teeth"
 PATIENCE_MS = 10_000
-
-
-@pytest.fixture
-def bench(qtbot, theme) -> Iterator[Bench]:
-    made = Bench()
-    made.window.show()
-    yield made
-    made.close()
 
 
 @pytest.fixture

@@ -193,13 +193,6 @@ def test_the_bar_steps_slides_and_plays(qtbot) -> None:
 # ---- exports -----------------------------------------------------------------------------------------------
 
 
-@pytest.fixture
-def bench(qtbot, theme):
-    made = Bench()
-    yield made
-    made.close()
-
-
 def test_the_dialog_offers_what_goes_together(bench: Bench, tmp_path) -> None:
     dialog = ExportDialog(bench.session, str(tmp_path), bench.window, mode="pair")
     assert dialog.job().member == "pair" and dialog.job().part == "gear" and not dialog._part.isEnabled()

@@ -6,18 +6,18 @@ import os
 import signal
 import subprocess
 import sys
-from collections.abc import Callable, Iterator
 from pathlib import Path
 from time import monotonic
 
-import psutil
 import pytest
 from PySide6.QtCore import QPointF, Qt, QTimer
 from PySide6.QtGui import QImage, QMouseEvent
 from PySide6.QtWidgets import QApplication
 
+from tests.ui.runner_watch import worker_process, workers
 from tests.ui.screen import NEEDS_SCREEN
 from tests.ui.stand_ins import result
+from tests.ui.whole import PATIENCE_MS, TEETH, complete, edit
 from ui.app import Studio
 from ui.presenter import view_subtitle, view_title
 from ui.screenshot import looks_blank, window_image
@@ -25,30 +25,6 @@ from ui.session import Failure, Key
 
 ROOT = Path(__file__).resolve().parents[2]
 pytestmark = NEEDS_SCREEN
-TEETH = "pair.pinion_teeth"
-PATIENCE_MS = 90_000
-
-
-def workers() -> list[psutil.Process]:
-    return [child for child in psutil.Process().children(recursive=True) if "spawn_main" in " ".join(child.cmdline())]
-
-
-@pytest.fixture
-def open_studio(qtbot, theme) -> Iterator[Callable[..., Studio]]:
-    opened: list[Studio] = []
-
-    def make(**options: object) -> Studio:
-        studio = Studio(theme, **options)
-        opened.append(studio)
-        studio.window.may_close = lambda: True
-        studio.window.show()
-        return studio
-
-    yield make
-    for studio in opened:
-        studio.window.close()
-        studio.window.deleteLater()
-    assert workers() == []
 
 
 @pytest.fixture
@@ -56,15 +32,6 @@ def studio(open_studio, qtbot) -> Studio:
     made = open_studio()
     qtbot.waitUntil(lambda: complete(made), timeout=PATIENCE_MS)
     return made
-
-
-def complete(studio: Studio) -> bool:
-    session = studio.session
-    return studio.window.area.grid is not None and session.pair is not None and not session.missing_keys()
-
-
-def edit(studio: Studio, path: str, value: object) -> None:
-    studio.window.form.field_edited.emit(path, value)
 
 
 def test_it_opens_builds_and_draws_everything(studio: Studio, qtbot) -> None:
@@ -147,7 +114,7 @@ def test_ten_edits_a_second_leave_the_window_alive_and_end_right(studio: Studio,
 def test_a_killed_cad_process_is_replaced_and_told(studio: Studio, qtbot) -> None:
     said: list[str] = []
     studio.controller.runner.worker_state_changed.connect(lambda state, _reason: said.append(state))
-    workers()[0].send_signal(signal.SIGKILL)
+    worker_process().send_signal(signal.SIGKILL)
     qtbot.waitUntil(lambda: "replaced" in said, timeout=10_000)
     edit(studio, TEETH, 19)
     qtbot.waitUntil(lambda: complete(studio), timeout=PATIENCE_MS)
@@ -173,8 +140,8 @@ def test_the_window_may_close_at_any_moment(open_studio, qtbot, moment: str) -> 
 
 def test_a_design_given_at_the_start_is_opened(open_studio, qtbot) -> None:
     studio = open_studio(design="preset:fine")
-    qtbot.waitUntil(lambda: studio.session.pair is not None, timeout=10_000)
-    assert studio.session.design.pair.outer_module == 0.5
+    qtbot.waitUntil(lambda: studio.session.design.pair.outer_module == 0.5, timeout=10_000)
+    assert studio.session.pair is not None
     other = open_studio(design="no-such-file.gear.toml")
     qtbot.waitUntil(lambda: bool(other.window.messages.text), timeout=10_000)
     assert "no-such-file" in other.window.messages.text
@@ -187,7 +154,7 @@ def test_an_unexpected_error_is_reported_once_and_the_window_goes_on(studio: Stu
     studio._dialogs[0].reject()
     assert not studio._dialogs
     edit(studio, TEETH, 20)
-    assert studio.session.design.pair.pinion_teeth == 20
+    qtbot.waitUntil(lambda: studio.session.design.pair.pinion_teeth == 20, timeout=PATIENCE_MS)
 
 
 def test_titles_tell_how_a_result_stands(studio: Studio) -> None:

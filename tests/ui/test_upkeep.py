@@ -7,7 +7,6 @@ import os
 import subprocess
 import sys
 import threading
-from collections.abc import Iterator
 from pathlib import Path
 
 import psutil
@@ -30,14 +29,6 @@ from ui.upkeep import Upkeep
 
 ROOT = Path(__file__).resolve().parents[2]
 pytestmark = pytest.mark.ui
-
-
-@pytest.fixture
-def bench(qtbot, theme) -> Iterator[Bench]:
-    made = Bench()
-    made.window.show()
-    yield made
-    made.close()
 
 
 # --- settings
