@@ -28,7 +28,7 @@ _QUIET_WINDOW = {
 _QUIET_CORE = ("cli", "equations", "presets", "catalogue", "formats", "design/model", "design/pair",
                "design/lengthwise", "design/tooth", "design/blank", "design/modifications", "design/choices",
                "exchange/stl", "exchange/threemf", "exchange/points", "analysis/datasheet", "analysis/selfcheck",
-               "wire", "worker")  # fmt: skip
+               "analysis/measurement_errors", "wire", "worker")  # fmt: skip
 """Modules of the core whose texts are tables (collected as such), files or output of the command line."""
 _TITLE = re.compile(r"^[✓✗]? ?&?[A-Z][a-z&]|[A-Za-z]{2,} [A-Za-z(“]")
 _NO_TITLE = re.compile(r"^(Ctrl|Shift|Alt)\+|;;.*\*|^[\w.]*_[\w.]*$|Keys\.|::|^#|^[A-Z][a-z]+[A-Z]\w+$|^\w+ \{")
@@ -86,6 +86,7 @@ def report_tables() -> set[str]:
     """Those words of the core's tables that the report shows too."""
     from gearstudio.analysis.convergence import COUNTED
     from gearstudio.analysis.datasheet import data_sheet
+    from gearstudio.analysis.measurement_errors import NAMED_ERRORS
     from gearstudio.catalogue import METHOD_INFOS
     from gearstudio.design import Design, all_field_specs
     from gearstudio.design.choices import choice_title
@@ -94,6 +95,7 @@ def report_tables() -> set[str]:
     from gearstudio.report.sections import SECTIONS
 
     found: set[str] = {*COUNTED.values(), *(info.title for info in METHOD_INFOS), *(one.title for one in SECTIONS)}
+    found |= {error.title for error in NAMED_ERRORS}
     for spec in all_field_specs().values():
         found |= {spec.title, spec.group, *map(choice_title, spec.choices)}
     for equation in EQUATIONS:

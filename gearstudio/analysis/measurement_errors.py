@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -79,6 +80,27 @@ class FormErrors:
     profile_crown_um: float
     bias_um: float
     spiral_deg: float
+
+
+@dataclass(frozen=True)
+class NamedError:
+    """An error of a flank by its name; ``of`` reads it from shape and pitch, in the unit."""
+
+    title: str
+    of: Callable[[FormErrors, PitchErrors], float]
+    unit: str = "µm"
+
+
+NAMED_ERRORS = (
+    NamedError("Spiral angle", lambda form, _: form.spiral_um),
+    NamedError("Spiral angle, as an angle", lambda form, _: form.spiral_deg, "°"),
+    NamedError("Pressure angle", lambda form, _: form.pressure_um),
+    NamedError("Lengthwise crown", lambda form, _: form.lengthwise_crown_um),
+    NamedError("Profile crown", lambda form, _: form.profile_crown_um),
+    NamedError("Bias", lambda form, _: form.bias_um),
+    NamedError("Pitch, single", lambda _, pitch: pitch.largest_single_um),
+    NamedError("Pitch, total", lambda _, pitch: pitch.total_um),
+)
 
 
 def pitch_errors(flank: Flank, points: Floats, error: Floats, assigned: Assignment) -> PitchErrors:

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gearstudio.analysis.measurement import MeasurementResult
+from gearstudio.analysis.measurement_errors import NAMED_ERRORS, NamedError
 from gearstudio.report import measured_charts
 from gearstudio.report.blocks import Block, Table, Text, rows
 from gearstudio.report.content import Content
@@ -84,20 +85,17 @@ def _flanks(result: MeasurementResult) -> list[tuple[str, ...]]:
     def of(name: FlankName) -> NDArray[np.float64]:
         return np.asarray(result.deviation_um[names == name])
 
-    def row(title: str, read: Read, unit: str = "µm", spec: str = ".2f") -> tuple[str, ...]:
+    def row(title: str, read: Read, unit: str = "µm") -> tuple[str, ...]:
+        spec = ".5f" if unit == "°" else ".2f"
         return (title, *(number(read(name), spec) if name in form else _NOTHING for name in FLANKS), unit)
+
+    def named(error: NamedError) -> tuple[str, ...]:
+        return row(tr(error.title), lambda name: error.of(form[name], pitch[name]), error.unit)
 
     return [
         (tr("Points"), *(str(np.count_nonzero(names == name)) for name in FLANKS), ""),
         row(tr("RMS deviation"), lambda name: float(np.sqrt(np.mean(of(name) ** 2)))),
         row(tr("Highest deviation"), lambda name: float(of(name).max())),
         row(tr("Lowest deviation"), lambda name: float(of(name).min())),
-        row(tr("Spiral angle"), lambda name: form[name].spiral_um),
-        row(tr("Spiral angle, as an angle"), lambda name: form[name].spiral_deg, "°", ".5f"),
-        row(tr("Pressure angle"), lambda name: form[name].pressure_um),
-        row(tr("Lengthwise crown"), lambda name: form[name].lengthwise_crown_um),
-        row(tr("Profile crown"), lambda name: form[name].profile_crown_um),
-        row(tr("Bias"), lambda name: form[name].bias_um),
-        row(tr("Pitch, single"), lambda name: pitch[name].largest_single_um),
-        row(tr("Pitch, total"), lambda name: pitch[name].total_um),
+        *map(named, NAMED_ERRORS),
     ]

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 import numpy as np
 from numpy.typing import NDArray
 
 from gearstudio.analysis.measurement import MeasurementResult
+from gearstudio.analysis.measurement_errors import NAMED_ERRORS
 from gearstudio.analysis.nets import cell_means
 from gearstudio.theory.cones import MemberGeometry
 from gearstudio.theory.flank import FLANKS, FlankName
@@ -131,18 +130,9 @@ def statistics_rows(measurement: Measurement) -> list[tuple[str, str]]:
 
 def error_rows(measurement: Measurement) -> list[tuple[str, ...]]:
     """Named errors [µm]: name, concave, convex."""
-    result = measurement.result
-
-    def row(name: str, read: Callable[[FlankName], float]) -> tuple[str, ...]:
-        return (name, *(fixed(read(flank), 2) if flank in result.form else "–" for flank in FLANKS))
-
-    form, pitch = result.form, result.pitch
+    form, pitch = measurement.result.form, measurement.result.pitch
     return [
-        row(tr("Spiral angle"), lambda f: form[f].spiral_um),
-        row(tr("Pressure angle"), lambda f: form[f].pressure_um),
-        row(tr("Lengthwise crown"), lambda f: form[f].lengthwise_crown_um),
-        row(tr("Profile crown"), lambda f: form[f].profile_crown_um),
-        row(tr("Bias"), lambda f: form[f].bias_um),
-        row(tr("Pitch, single"), lambda f: pitch[f].largest_single_um),
-        row(tr("Pitch, total"), lambda f: pitch[f].total_um),
+        (tr(error.title), *(fixed(error.of(form[f], pitch[f]), 2) if f in form else "–" for f in FLANKS))
+        for error in NAMED_ERRORS
+        if error.unit == "µm"
     ]
