@@ -5,6 +5,8 @@ are dropped) and the templates of the core's sentences into ``sentences.json``; 
 the window loads and the catalogues of the report; ``missing`` lists what lacks a translation, as JSON; ``fill`` puts
 translations in, from JSON files such as ``{"de": {"English": "Deutsch"}}``.
 
+Words that Qt's own translations lack are in ``qt_zh.ts``, which is kept by hand.
+
 A text that ``gearstudio/report`` says with ``tr`` is collected like one of the window: the .ts files are the one place
 for translations. The core knows no Qt, so `release` copies what the report may say from them.
 """
@@ -125,9 +127,9 @@ def release(folder: Path = FOLDER, catalogues: Path = CATALOGUES) -> None:
 
     names = ("lrelease", "lrelease.exe", "Qt/libexec/lrelease")
     tool = next(path for name in names if (path := Path(PySide6.__path__[0]) / name).exists())
-    for language in LANGUAGES:
-        target = folder / f"gearstudio_{language}.qm"
-        subprocess.run([tool, "-silent", "-removeidentical", ts_path(language), "-qm", target], check=True)
+    for source in (*map(ts_path, LANGUAGES), *sorted(FOLDER.glob("qt_*.ts"))):
+        target = folder / f"{source.stem}.qm"
+        subprocess.run([tool, "-silent", "-removeidentical", source, "-qm", target], check=True)
 
 
 def main(argv: Sequence[str] | None = None) -> int:

@@ -13,6 +13,8 @@ from ui.preferences import LANGUAGES, NAMES
 FOLDER = Path(__file__).parent / "translations"
 ENGLISH = "en"
 _QT = {"de": "qtbase_de", "zh": "qtbase_zh_CN"}
+_QT_LACKS = {"zh": "qt_zh"}
+"""Words that Qt's own translations leave in English."""
 _SPOKEN = "spoken_language"
 log = logging.getLogger(__name__)
 
@@ -46,12 +48,12 @@ def decimal() -> str:
 
 
 class Language:
-    """The language that an application speaks; `speak` changes it."""
+    """The language that an application speaks; `speak` changes it. Without one given it is the one spoken already."""
 
-    def __init__(self, application: QCoreApplication, spoken: str = ENGLISH) -> None:
+    def __init__(self, application: QCoreApplication, language: str = "") -> None:
         self._application = application
-        self._translators = install(application, spoken)
-        self.spoken = spoken
+        self._translators = install(application, language) if language else ()
+        self.spoken = spoken()
 
     def speak(self, language: str) -> None:
         """Take the words of another language; windows that exist keep theirs."""
@@ -69,7 +71,8 @@ def install(application: QCoreApplication, language: str) -> tuple[QTranslator, 
         return ()
     made = []
     qt_folder = QLibraryInfo.path(QLibraryInfo.LibraryPath.TranslationsPath)
-    for name, folder in ((_QT[language], qt_folder), (f"gearstudio_{language}", str(FOLDER))):
+    ours = [name for name in (_QT_LACKS.get(language), f"gearstudio_{language}") if name is not None]
+    for name, folder in ((_QT[language], qt_folder), *((name, str(FOLDER)) for name in ours)):
         translator = QTranslator(application)
         if translator.load(name, folder):
             application.installTranslator(translator)

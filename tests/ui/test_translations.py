@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 from PySide6.QtCore import QTranslator
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QColorDialog, QFileDialog, QLineEdit, QMessageBox
 
 from gearstudio.design import Design, field_specs, with_field
 from gearstudio.errors import FileError, ModellingError
@@ -40,7 +40,8 @@ class Marking(QTranslator):
 def speaking(request: pytest.FixtureRequest, qapp: QApplication) -> Iterator[str]:
     before = set(qapp.findChildren(QTranslator))
     language = Language(qapp, request.param)
-    assert len(set(qapp.findChildren(QTranslator)) - before) == 2, "Qt's own texts and the window's"
+    made = len(set(qapp.findChildren(QTranslator)) - before)
+    assert made == (3 if request.param == "zh" else 2), "Qt's own texts, what they lack, and the window's"
     yield request.param
     language.speak("en")
 
@@ -74,6 +75,7 @@ def test_the_files_that_the_window_loads_are_made_of_the_present_ones(tmp_path: 
         name, catalogue = f"gearstudio_{language}.qm", f"{language}.json"
         assert (tmp_path / name).read_bytes() == (translations.FOLDER / name).read_bytes()
         assert (tmp_path / catalogue).read_bytes() == (translations.CATALOGUES / catalogue).read_bytes()
+    assert (tmp_path / "qt_zh.qm").read_bytes() == (translations.FOLDER / "qt_zh.qm").read_bytes()
     assert {template.text for template in templates()} == set(translations.collected()[translations.SENTENCES])
 
 
@@ -160,3 +162,43 @@ def _is_left(text: str) -> bool:
         bare,
     )
     return bool(re.search(r"[A-Za-z]{3,}", bare))
+
+
+def test_the_dialogs_that_are_qts_own_speak_the_language_too(speaking: str, qtbot) -> None:
+    asked: set[tuple[str, str, str | None]] = set()
+
+    class Listening(QTranslator):
+        def isEmpty(self) -> bool:
+            return False
+
+        def translate(self, context: str, text: str, hint: str | None = None, n: int = -1) -> str | None:
+            asked.add((context, text, hint))
+            return None
+
+    listening = Listening()
+    QApplication.installTranslator(listening)
+    try:
+        files, colours, box = QFileDialog(), QColorDialog(), QMessageBox()
+        files.setOption(QFileDialog.Option.DontUseNativeDialog)
+        files.setViewMode(QFileDialog.ViewMode.Detail)
+        colours.setOption(QColorDialog.ColorDialogOption.DontUseNativeDialog)
+        for answer in QMessageBox.StandardButton.Save, *list(QMessageBox.StandardButton)[2:18]:
+            box.addButton(answer)
+        box.setDetailedText("details")
+        for dialog in (files, colours, box):
+            qtbot.addWidget(dialog)
+            dialog.show()
+            qtbot.waitExposed(dialog)
+        edit = QLineEdit("words")
+        qtbot.addWidget(edit)
+        edit.createStandardContextMenu()
+    finally:
+        QApplication.removeTranslator(listening)
+    assert {context for context, _, _ in asked} >= {"QFileDialog", "QColorDialog", "QPlatformTheme", "QLineEdit"}
+    ours = _installed()
+    english = sorted(one for one in asked if not any(known.translate(*one) for known in ours))
+    assert not english, english
+
+
+def _installed() -> list[QTranslator]:
+    return [one for one in QApplication.instance().findChildren(QTranslator) if not isinstance(one, Marking)]
