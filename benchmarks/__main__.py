@@ -7,9 +7,10 @@ import platform
 import statistics
 import sys
 from collections.abc import Iterator
+from functools import partial
 
 from benchmarks import animation, compare, contact, gear, peers, report, solids, startup, window
-from benchmarks.measurement import Measurement, Remark
+from benchmarks.measurement import Measurement, Remark, ratios
 
 RATIO, GAP_MS = 0.3, 50.0
 GEAR_RATIO, GROWTH, MEGABYTES = 0.1, 1.2, 4.0
@@ -33,15 +34,16 @@ def measurements() -> Iterator[Measurement | Remark]:
     yield Measurement("contact analysis, 100 × 60 points, 40 positions / py_gearworks", readings, contact.TARGET)
 
     title = "whole 40-tooth wheel, checked / py_gearworks"
-    yield Measurement(title, gear.ratios(peers.build_wheel), GEAR_RATIO)
+    yield Measurement(title, ratios(gear.build_and_check, peers.build_wheel, 5, times=3), GEAR_RATIO)
     yield Measurement("growth of that time with the teeth, exponent", [gear.growth()], GROWTH, decimals=2)
     yield Measurement("STEP file of that wheel", [gear.file_megabytes()], MEGABYTES, unit="MB", decimals=2)
 
+    hypoid, bevel = partial(gear.build_pair, 25.4), partial(gear.build_pair, 0.0)
     title = "hypoid pair 11/41, checked / bevel pair of the same teeth"
-    yield Measurement(title, gear.hypoid_ratios(), gear.HYPOID_TARGET, decimals=2)
+    yield Measurement(title, ratios(hypoid, bevel, 5), gear.HYPOID_TARGET, decimals=2)
 
     title = "report of the default design, all sections / py_gearworks"
-    yield Measurement(title, report.ratios(peers.build_wheel), report.TARGET, decimals=2)
+    yield Measurement(title, ratios(report.make, peers.build_wheel, 3), report.TARGET, decimals=2)
 
     edits = window.measure()
     yield Measurement("an edit to all three views / py_gearworks", [e.seconds / unit for e in edits], RATIO)

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QCoreApplication, QEventLoop
 
 from benchmarks.opening import opened
-from benchmarks.window import pause, wait_until
+from benchmarks.window import is_settled, pause, wait_until
 
 if TYPE_CHECKING:
     from ui.app import Studio
@@ -33,7 +33,7 @@ class Frame:
 def measure(rounds: int = ROUNDS) -> list[Frame]:
     """Open the window, build the pair, and time frames in turn, so that a busy machine spoils all of them alike."""
     with opened() as studio:
-        wait_until(lambda: studio.window.area.grid is not None and not studio.session.missing_keys())
+        wait_until(lambda: is_settled(studio))
         mode = studio.controller.solid_mode
         mode.set_mode("pair")
         wait_until(lambda: all(mode.solids.is_current(key) for key in mode.keys))

@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 import statistics
 import tempfile
-from collections.abc import Callable
 from pathlib import Path
 
 from benchmarks.measurement import timed
@@ -31,12 +30,6 @@ def measure(teeth: int = 40, times: int = 7) -> list[float]:
     return timed(lambda: build_and_check(teeth), times)
 
 
-def ratios(peer: Callable[[], object], rounds: int = 5) -> list[float]:
-    """Time of a build with its check over that of a peer, in turn, so that a busy machine slows both alike."""
-    build_and_check()
-    return [statistics.median(timed(build_and_check, 3)) / timed(peer, 1)[0] for _ in range(rounds)]
-
-
 def build_pair(offset: float) -> None:
     """Both members of the passenger car's hypoid pair, or of a bevel pair of the same teeth, found valid."""
     from gearstudio.design import with_field
@@ -50,13 +43,6 @@ def build_pair(offset: float) -> None:
     for member in ("pinion", "wheel"):
         if not is_valid(build_gear(design, member, "profile_sweep", "optimised").solid):
             raise RuntimeError(f"the {member} with an offset of {offset} mm is not valid")
-
-
-def hypoid_ratios(rounds: int = 5) -> list[float]:
-    """Time of a hypoid pair with its check over that of a bevel pair, in turn."""
-    build_pair(25.4)
-    build_pair(0.0)
-    return [timed(lambda: build_pair(25.4), 1)[0] / timed(lambda: build_pair(0.0), 1)[0] for _ in range(rounds)]
 
 
 def growth() -> float:

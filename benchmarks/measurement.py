@@ -72,3 +72,13 @@ def timed(action: Callable[[], object], times: int) -> list[float]:
         action()
         readings.append(perf_counter() - start)
     return readings
+
+
+def ratios(action: Callable[[], object], peer: Callable[[], object], rounds: int, times: int = 1) -> list[float]:
+    """Time of an action (the median of so many) over that of a peer, in turn: a busy machine slows both alike.
+
+    One of either before is not counted.
+    """
+    action()
+    peer()
+    return [statistics.median(timed(action, times)) / timed(peer, 1)[0] for _ in range(rounds)]

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 import psutil
 
 from benchmarks.opening import opened
-from benchmarks.window import pause, wait_until
+from benchmarks.window import is_settled, pause, wait_until
 
 if TYPE_CHECKING:
     from ui.app import Studio
@@ -50,7 +50,7 @@ class Course:
 def measure() -> tuple[Course, Course]:
     """The window's and the CAD process's memory, from one run of the real program."""
     with opened() as studio:
-        wait_until(lambda: studio.window.area.grid is not None and _settled(studio))
+        wait_until(lambda: is_settled(studio))
         readings: list[tuple[float, float]] = []
         for times, work in ((WARM_UP, _edit), (EDITS, _edit), (REBUILDS, _rebuild)):
             for number in range(times):
@@ -66,19 +66,15 @@ def _edit(studio: Studio, number: int) -> None:
     before = studio.session.design
     studio.window.form.field_edited.emit(field, value)
     if studio.session.design != before:
-        wait_until(lambda: _settled(studio))
+        wait_until(lambda: is_settled(studio))
     if number % 10 == 0:
         studio.session.select(member="pinion" if number % 20 else "wheel")
-        wait_until(lambda: _settled(studio))
+        wait_until(lambda: is_settled(studio))
 
 
 def _rebuild(studio: Studio, _number: int) -> None:
     studio.controller.builds.rebuild()
-    wait_until(lambda: _settled(studio))
-
-
-def _settled(studio: Studio) -> bool:
-    return studio.session.pair is not None and not studio.session.missing_keys()
+    wait_until(lambda: is_settled(studio))
 
 
 def _megabytes(studio: Studio) -> tuple[float, float]:

@@ -6,10 +6,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import Qt, QTimer
-
 from benchmarks.opening import opened
-from benchmarks.window import TICK_MS, Watch, pause, wait_until, watch_drawing
+from benchmarks.window import Watch, is_settled, pause, wait_until, watch_drawing
 
 if TYPE_CHECKING:
     from ui.app import Studio
@@ -34,11 +32,9 @@ def measure(rounds: int = ROUNDS) -> list[Gaps]:
     watch = Watch()
     watch_drawing(watch)
     with opened() as studio:
-        wait_until(lambda: studio.window.area.grid is not None and not studio.session.missing_keys())
+        wait_until(lambda: is_settled(studio))
         pause(_REST_MS)
-        ticker = QTimer(studio, interval=TICK_MS, timerType=Qt.TimerType.PreciseTimer)
-        ticker.timeout.connect(watch.tick)
-        ticker.start()
+        ticker = watch.ticking(studio)
         made = [gaps for index in range(rounds) for gaps in _round(studio, watch, index)]
         ticker.stop()
         return made

@@ -44,6 +44,13 @@ class Watch:
     def tick(self) -> None:
         self.ticks.append(perf_counter())
 
+    def ticking(self, studio: Studio) -> QTimer:
+        """A timer that ticks until it is stopped."""
+        ticker = QTimer(studio, interval=TICK_MS, timerType=Qt.TimerType.PreciseTimer)
+        ticker.timeout.connect(self.tick)
+        ticker.start()
+        return ticker
+
     def gaps(self, leave_out: Sequence[tuple[float, float]] = ()) -> list[float]:
         """Time between ticks beyond the timer's own interval, less what lies in the spans left out."""
         spans = zip(self.ticks, self.ticks[1:], strict=False)
@@ -57,9 +64,7 @@ def measure(times: int = 20) -> list[Edit]:
     with opened() as studio:
         on_frame(studio, lambda complete: shown.append(perf_counter()) if complete else None)
         wait_until(lambda: is_complete(studio) and bool(shown) and not studio.session.missing_keys())
-        ticker = QTimer(studio, interval=TICK_MS, timerType=Qt.TimerType.PreciseTimer)
-        ticker.timeout.connect(watch.tick)
-        ticker.start()
+        ticker = watch.ticking(studio)
         edits = [_edit(studio, watch, shown, 30.0 + index % 5) for index in range(times + 2)]
         ticker.stop()
         return edits[2:]
@@ -89,6 +94,11 @@ def watch_drawing(watch: Watch) -> None:
         return answer
 
     MainWindow.event = event  # type: ignore[method-assign]
+
+
+def is_settled(studio: Studio) -> bool:
+    """Whether the views are there and everything that they show of the design of now is built."""
+    return studio.window.area.grid is not None and studio.session.pair is not None and not studio.session.missing_keys()
 
 
 def wait_until(ready: Callable[[], Any]) -> None:
