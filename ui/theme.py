@@ -10,7 +10,7 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from string import Template
 
-from PySide6.QtCore import QByteArray, QObject, QSize, Qt, Signal
+from PySide6.QtCore import QByteArray, QDir, QObject, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QIcon, QPainter, QPalette, QPixmap
 from PySide6.QtSvg import QSvgRenderer
 from PySide6.QtWidgets import QAbstractButton, QApplication, QWidget
@@ -130,9 +130,10 @@ def palette(colors: Tokens) -> QPalette:
 
 
 def style_sheet(colors: Tokens) -> str:
-    """``style.qss`` with the colours filled in."""
+    """``style.qss`` with the colours filled in; it finds icons as ``icons:NAME.svg``, in whatever folder they are."""
+    QDir.setSearchPaths("icons", [str(HERE / "icons")])
     template = Template((HERE / "style.qss").read_text(encoding="utf-8"))
-    return template.substitute(asdict(colors), icons=(HERE / "icons").as_posix())
+    return template.substitute(asdict(colors))
 
 
 def icon(name: str) -> QIcon:
