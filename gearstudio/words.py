@@ -16,6 +16,7 @@ POINT = "."
 DECIMALS = {"de": ","}
 """Decimal signs of the languages that write another one than the point."""
 _HOLE = re.compile(r"\{(\d+)\}")
+_QUOTE = re.compile("“[^”]*”")
 _LETTER = re.compile(r"[A-Za-z]{2}")
 _DEEPEST, _FEW = 8, 6
 _NUMBER = re.compile(
@@ -53,11 +54,14 @@ class Template:
         What comes before the first hole: a quick test.
     pattern : re.Pattern
         Matches whole sentences; a group for each hole.
+    quoted : frozenset of int
+        Holes between quotation marks: what somebody else wrote, as a line of a file, stays as it is.
     """
 
     text: str
     start: str
     pattern: re.Pattern[str]
+    quoted: frozenset[int]
 
 
 @dataclass(frozen=True)
@@ -96,7 +100,8 @@ class Speaker:
             match = template.pattern.fullmatch(sentence)
             said = self.sentence(template.text) if match is not None else template.text
             if match is not None and said != template.text:
-                words = [self.told(part, depth + 1) for part in match.groups()]
+                parts = enumerate(match.groups())
+                words = [part if hole in template.quoted else self.told(part, depth + 1) for hole, part in parts]
                 return "".join(words[int(part)] if odd else part for part, odd in _parts(said))
         return ""
 
@@ -114,7 +119,8 @@ def compiled(text: str) -> Template:
     between numbers alone, or they would be found in any sentence."""
     parts = _HOLE.split(text)[::2]
     hole = "(.*?)" if parts[0] or len("".join(parts)) > _FEW else "([^A-Za-z]*?)"
-    return Template(text, parts[0], re.compile(hole.join(map(re.escape, parts))))
+    quoted = frozenset(int(number) for quote in _QUOTE.findall(text) for number in _HOLE.findall(quote))
+    return Template(text, parts[0], re.compile(hole.join(map(re.escape, parts))), quoted)
 
 
 def in_order(texts: Iterable[str]) -> tuple[Template, ...]:

@@ -40,8 +40,9 @@ _IN_WORDS = re.compile(r"(?<!\w)(?:at|or|[a-z]{4,})(?!\w)")
 """A formula that is said in words, at least in part."""
 _MORE_SENTENCES = {
     "{0}: {1} failed: {2}", "{0} to {1}", "{0} teeth", "building", "checking", "weighing", "reading", "convergence",
+    "it was killed by {0}", "it ended with exit status {0}", "it stopped answering",
 }  # fmt: skip
-"""Of errors that are put together with few words, and stages of work that are one."""
+"""Of errors that are put together with few words, stages of work that are one, and how the CAD process ended."""
 
 
 def window_words() -> set[str]:

@@ -34,7 +34,7 @@ def bad_lines(text: str) -> Iterator[str]:
         if not what and _HEADING.match(line):
             name = table = line.partition("#")[0].strip().strip("[]").strip()
         if not what and name in given:
-            what = f"{name} stands in line {given[name]} too; keep one of them"
+            what = f"“{name}” stands in line {given[name]} too; keep one of them"
         given.setdefault(name, number)
         if what:
             yield f"line {number}, “{shortened(line.strip())}”: {what}"
@@ -68,7 +68,7 @@ def _problem(line: str) -> str:
 
 def _problem_of_value(key: str, value: str) -> str:
     if not value:
-        return f"the value after the sign = is missing; put it there, or take the line out to have the usual {key}"
+        return f"the value after the sign = is missing; put it there, or take the line out to have the usual “{key}”"
     if match := _DECIMAL_COMMA.fullmatch(value):
         return f"numbers in a design file have a point, not a comma; write “{key} = {match[1]}.{match[2]}”"
     if match := _WITH_UNIT.fullmatch(value):

@@ -13,14 +13,14 @@ from gearstudio.design.model import all_field_specs
 from gearstudio.errors import DesignError, Issue
 
 _KINDS = (
-    (b"\x89PNG", "a PNG picture"),
-    (b"\xff\xd8\xff", "a JPEG picture"),
-    (b"GIF8", "a GIF picture"),
-    (b"%PDF", "a PDF document"),
-    (b"PK\x03\x04", "a ZIP archive, as 3MF models and office documents are"),
-    (b"ISO-10303-21", "a STEP model"),
-    (b"glTF", "a GLB model"),
-    (b"solid ", "an STL model"),
+    (b"\x89PNG", "a picture (PNG)"),
+    (b"\xff\xd8\xff", "a picture (JPEG)"),
+    (b"GIF8", "a picture (GIF)"),
+    (b"%PDF", "a document (PDF)"),
+    (b"PK\x03\x04", "an archive (ZIP), as 3MF models and office documents are"),
+    (b"ISO-10303-21", "a model (STEP)"),
+    (b"glTF", "a model (GLB)"),
+    (b"solid ", "a model (STL)"),
 )
 _WIDE = (codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)
 _BINARY = re.compile(rb"[\x00-\x08\x0e-\x1f]")

@@ -13,7 +13,7 @@ from PySide6.QtWidgets import QApplication, QColorDialog, QFileDialog, QLineEdit
 from gearstudio.design import Design, field_specs, with_field
 from gearstudio.errors import FileError, ModellingError
 from gearstudio.validation import read_design
-from gearstudio.words import compiled
+from gearstudio.words import Speaker, compiled, in_order
 from tests.ui.reading import texts_of
 from tests.ui.stand_ins import Bench
 from tools import translations
@@ -124,6 +124,12 @@ def test_a_template_matches_whole_sentences_only() -> None:
     assert compiled("{0} to {1}").pattern.fullmatch("0.5 to 55")
     assert not compiled("{0} to {1}").pattern.fullmatch("unable to open it")
     assert translated("12.5") == "12.5"
+
+
+def test_what_stands_in_quotes_is_left_as_somebody_wrote_it() -> None:
+    said = {"write “{0} = {1}”; {2}": "schreiben „{0} = {1}“; {2}", "left": "links"}
+    speaker = Speaker(in_order(said), lambda text: said.get(text, text), lambda text: said.get(text, text))
+    assert speaker.told("write “hand = left”; left") == "schreiben „hand = left“; links"
 
 
 @pytest.mark.parametrize(

@@ -84,5 +84,9 @@ class Film:
 
     def _failure(self) -> FileError:
         """Why the encoder gave up, as far as the disk is to blame."""
-        text = "the film could not be encoded; try a smaller picture, or the other kind of file"
-        return FileError(self._path, why_not_written(self._unfinished, text))
+        return FileError(
+            self._path,
+            why_not_written(
+                self._unfinished, "the film could not be encoded; try a smaller picture, or the other kind of file"
+            ),
+        )
