@@ -186,6 +186,7 @@ def hypoid(painter: Painter) -> None:
     session, window = painter.session, painter.window
     mode = painter.controller.solid_mode
     session.load(PRESETS_BY_KEY["hypoid-car"].design)
+    session.settle()
     session.select(member="pinion", method="profile_sweep")
     window.analysis.show_tab("contact")
     page = window.analysis.page
@@ -202,6 +203,7 @@ def hypoid(painter: Painter) -> None:
     page.shown.button("pattern").click()
     window.analysis.show_tab("comparison")
     session.load(Design())
+    session.settle()
 
 
 def main() -> None:

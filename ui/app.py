@@ -27,6 +27,7 @@ from ui.main_window import MainWindow
 from ui.messages import ReportDialog
 from ui.preferences import LANGUAGES, Choices
 from ui.projects.desk import Desk, data_folder
+from ui.reading import Reading
 from ui.session import Session
 from ui.settings_file import open_settings, reset_settings
 from ui.succession import succeed
@@ -114,7 +115,7 @@ class Studio(QObject):
         """The window with all that belongs to it alone; it dies with the window."""
         session = self.session
         self.window = MainWindow(session, self._settings)
-        self.files = Files(session, self.window, inheritance)
+        self.files = Files(session, self.window, inheritance, Reading(self.window))
         self.controller = Controller(session, self.window, self.files, inheritance)
         autosave = inheritance.autosave if inheritance else None
         edits = self.controller.edits

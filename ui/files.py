@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -9,10 +10,11 @@ from PySide6.QtCore import QDir, QObject, QStandardPaths, Signal
 from PySide6.QtWidgets import QFileDialog, QMessageBox
 
 from gearstudio.design import Design
-from gearstudio.errors import DesignError, FileError
+from gearstudio.errors import FileError
 from ui.export_dialog import ExportDialog
 from ui.projects.lock import ProjectLock, ask_how_to_open
 from ui.projects.problems import not_opened, problem_line
+from ui.reading import Found, Reading, Take, read
 from ui.session import Session
 from ui.words import noted, told, tr
 
@@ -28,6 +30,8 @@ Answer = QMessageBox.StandardButton
 
 class Files(QObject):
     """Opens and saves designs for a window; nothing unsaved is dropped without a question.
+
+    With ``reading`` a file is opened a little later, when it has been read; the one asked for last.
 
     Signals
     -------
@@ -46,10 +50,19 @@ class Files(QObject):
     saved = Signal(object)
     export_requested = Signal(object)
 
-    def __init__(self, session: Session, window: MainWindow, inheritance: Inheritance | None = None) -> None:
+    def __init__(
+        self,
+        session: Session,
+        window: MainWindow,
+        inheritance: Inheritance | None = None,
+        reading: Reading | None = None,
+    ) -> None:
         super().__init__(window)
         self._session = session
         self._window = window
+        self._reading = reading
+        if reading is not None:
+            window.closing.connect(reading.close)
         self.lock = inheritance.lock if inheritance else ProjectLock()
         window.closing.connect(self.lock.release)
         documents = QStandardPaths.StandardLocation.DocumentsLocation
@@ -90,30 +103,34 @@ class Files(QObject):
         except FileError as error:
             self._window.messages.show_message("error", told(error), topic="file")
 
-    def open_path(self, path: Path) -> bool:
+    def open_path(self, path: Path) -> None:
         """Open a design file; when it cannot be used, say why and keep what there is."""
-        from gearstudio.project import load_design
+        self._read(path, lambda found: self._open_found(found, path))
 
-        try:
-            design = load_design(path)
-        except (DesignError, FileError) as error:
-            text, details = not_opened(path, error)
-            self._window.messages.show_message("error", text, details, topic="file")
-            return False
-        return self._open_as(design, path)
+    def reopen(self, path: Path | None, then: Callable[[bool], object]) -> None:
+        """Open what a recovered draft belongs to, and tell whether the user agreed.
 
-    def reopen(self, path: Path | None) -> bool:
-        """Open what a recovered draft belongs to: its design file, or the default design where there is none now."""
-        from gearstudio.project import load_design
-
-        try:
-            design, known = (load_design(path), True) if path else (Design(), False)
-        except (DesignError, FileError):
-            design, known = Design(), False
+        That is its design file, or the default design where there is none now.
+        """
         if path is None:
             self.new()
-            return not self._session.unsaved
-        return self._open_as(design, path, known)
+            then(not self._session.unsaved)
+            return
+        default = Design(), path, False
+        self._read(path, lambda found: then(self._open_as(*((found, path) if isinstance(found, Design) else default))))
+
+    def _read(self, path: Path, take: Take) -> None:
+        if self._reading is None:
+            take(read(path))
+        else:
+            self._reading.read(path, take)
+
+    def _open_found(self, found: Found, path: Path) -> None:
+        if isinstance(found, Design):
+            self._open_as(found, path)
+            return
+        text, details = not_opened(path, found)
+        self._window.messages.show_message("error", text, details, topic="file")
 
     def _open_as(self, design: Design, path: Path, saved: bool = True) -> bool:
         if not self.may_discard():
@@ -133,6 +150,7 @@ class Files(QObject):
 
     def save_as(self, folder: Path | None = None) -> bool:
         """Ask for a name (in a folder) and save; False when nothing was saved."""
+        self._session.settle()
         known = self._session.path
         name = known.name if known else f"{_file_name(self._session.design.name)}{SUFFIX}"
         start = (folder or (known.parent if known else Path(self._folder))) / name
@@ -169,6 +187,8 @@ class Files(QObject):
             self.export_requested.emit(job)
 
     def _take(self, design: Design, path: Path | None, way: str = "write", saved: bool = True) -> None:
+        if self._reading is not None:
+            self._reading.forget()
         self._window.messages.clear("file")
         if path is None or way != "write":
             self.lock.release()

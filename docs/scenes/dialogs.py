@@ -29,6 +29,7 @@ def saved(stage: Stage) -> Path:
     path = stage.folder / "rear-axle.gear.toml"
     save_design(path, Design())
     stage.studio.files.open_path(path)
+    wait_for(lambda: stage.session.path == path)
     stage.studio.files.save()
     stage.controller.edits.change("pair.pinion_teeth", 18)
     stage.studio.files.save()

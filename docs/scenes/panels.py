@@ -145,6 +145,7 @@ def messages(stage: Stage) -> None:
     missing = stage.folder / "newer.gear.toml"
     missing.write_text("format = 99\n", encoding="utf-8")
     stage.studio.files.open_path(missing)
+    wait_for(lambda: bool(bar.text))
     stage.show("newer-format")
     bar.clear()
 

@@ -79,6 +79,7 @@ class Stage:
 
     def settle(self) -> None:
         """Wait until the flanks in sight are built and drawn."""
+        self.session.settle()
         wait_for(lambda: self.session.pair is not None and not (self.built and self.session.missing_keys()))
         spin(self.rest)
 

@@ -2,31 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 
 from gearstudio.design import Design, with_field
 from gearstudio.project import save_design
-from tests.ui.test_recovery import Place
+from tests.ui.places import Place
 
 pytestmark = pytest.mark.ui
 TEETH = "pair.wheel_teeth"
 
 
 @pytest.fixture
-def place(qtbot, theme, tmp_path: Path) -> Iterator[Place]:
-    made = Place(tmp_path / "data")
-    yield made
-    made.bench.close()
-
-
-@pytest.fixture
 def path(place: Place, tmp_path: Path) -> Path:
     made = tmp_path / "axle.gear.toml"
     save_design(made, Design())
-    assert place.bench.files.open_path(made)
+    place.bench.files.open_path(made)
     return made
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import logging
+from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -25,6 +26,7 @@ if TYPE_CHECKING:
     from ui.edits import Edits
     from ui.files import Files
     from ui.main_window import MainWindow
+    from ui.projects.compare_dialog import CompareDialog
 
 log = logging.getLogger(__name__)
 
@@ -104,7 +106,7 @@ class Desk(QObject):
         dialog.open()
         return dialog
 
-    def compare(self) -> None:
+    def compare(self) -> CompareDialog:
         """A window that shows how another design differs."""
         from ui.projects.compare_dialog import CompareDialog
 
@@ -112,6 +114,7 @@ class Desk(QObject):
         dialog.finished.connect(dialog.deleteLater)
         self._window.closing.connect(dialog.close)
         dialog.show()
+        return dialog
 
     def _open_window(self) -> None:
         if not open_window():
@@ -127,10 +130,14 @@ class Desk(QObject):
             self._say("warning", tr("Saved, but no backup could be kept: {reason}", reason=told(error.reason)))
 
     def _on_recovered_chosen(self, one: Abandoned, version: Version) -> None:
-        if version.draft is None or not self._files.reopen(one.snapshot.path):
+        draft = version.draft
+        if draft is None:
             one.leave()
             return
-        self._edits.change_many(version.draft, tr("Recover unsaved edits"))
+        self._files.reopen(one.snapshot.path, lambda opened: self._recover(one, draft) if opened else one.leave())
+
+    def _recover(self, one: Abandoned, draft: Mapping[str, Any]) -> None:
+        self._edits.change_many(draft, tr("Recover unsaved edits"))
         try:
             if self.autosave is not None:
                 self.autosave.save_and_wait()
@@ -145,12 +152,18 @@ class Desk(QObject):
             self._files.open_path(one.snapshot.path)
 
     def _on_backup_chosen(self, version: Version, path: Path) -> None:
-        if version.draft is None or version.when is None:
+        draft, when = version.draft, version.when
+        if draft is None or when is None:
             return
-        same = self._session.path is not None and self._session.path.resolve() == path
-        if not same and not self._files.reopen(path):
-            return
-        self._edits.change_many(version.draft, tr("Go back to the save of {date}", date=short_date(version.when)))
+
+        def go_back(opened: bool) -> None:
+            if opened:
+                self._edits.change_many(draft, tr("Go back to the save of {date}", date=short_date(when)))
+
+        if self._session.path is not None and self._session.path.resolve() == path:
+            go_back(True)
+        else:
+            self._files.reopen(path, go_back)
 
     def _on_autosave_failed(self, text: str) -> None:
         self._say("warning", tr("Unsaved edits cannot be kept for recovery: {reason}", reason=told(text)))
