@@ -183,7 +183,7 @@ class MeasurementPage(QWidget):
 
     def _show_refusal(self, text: str, severity: str = "error") -> None:
         self.measurement = None
-        self.panel.tell(text, severity)
+        self.panel.tell(told(text), severity)
         self.panel.table.clear()
         self.teeth.clear()
         self._hint = ""
