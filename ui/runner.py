@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import functools
 import itertools
+import threading
 from collections import deque
 from collections.abc import Callable, Sequence
 
@@ -84,6 +85,7 @@ class JobRunner(QObject):
         self._requests = itertools.count(1)
         self._oldest_wanted: dict[str, int] = {}
         self._closed = False
+        self._posting = threading.Lock()
         self._event_waits.connect(self._deliver, Qt.ConnectionType.QueuedConnection)
 
     @property
@@ -126,8 +128,9 @@ class JobRunner(QObject):
         """End the process and wait for that, 2.4 s at most; no signal comes afterwards."""
         if self._closed:
             return
-        self._closed = True
-        self._events.clear()
+        with self._posting:
+            self._closed = True
+            self._events.clear()
         if self._thread.ident is None:
             return
         self._thread.close()
@@ -137,9 +140,11 @@ class JobRunner(QObject):
             self._thread.join(LAST_MOMENT)
 
     def _post(self, event: Event) -> None:
-        """Hand an event over to the thread this object lives in."""
-        self._events.append(event)
-        self._event_waits.emit()
+        """Hand an event over to the thread this object lives in; that may have gone when the job thread ends late."""
+        with self._posting:
+            if not self._closed:
+                self._events.append(event)
+                self._event_waits.emit()
 
     @Slot()
     def _deliver(self) -> None:
