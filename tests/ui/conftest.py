@@ -11,11 +11,15 @@ import pytest
 from PySide6.QtCore import QCoreApplication, QSettings, QStandardPaths, Qt
 from PySide6.QtWidgets import QApplication
 
-from tests.ui.runner_watch import workers
+from tests.ui.places import Place
+from tests.ui.runner_watch import MakeWatch, Watch, workers
 from tests.ui.stand_ins import Bench
+from ui import units
 from ui.app import Studio, prepare_qt
 from ui.collecting import Collector
+from ui.habits import Habits
 from ui.theme import Theme
+from ui.units import Display
 
 
 @pytest.fixture(scope="session")
@@ -82,6 +86,38 @@ def bench(qtbot, theme) -> Iterator[Bench]:
     made.window.show()
     yield made
     made.close()
+
+
+@pytest.fixture
+def bench_with_habits(bench: Bench, settings: QSettings) -> Iterator[Bench]:
+    """With what every desktop program has, as ``bench.habits``."""
+    bench.window._settings = settings
+    bench.habits = Habits(bench.controller)  # type: ignore[attr-defined]
+    bench.window.resize(1280, 720)
+    yield bench
+    units.use(Display())
+
+
+@pytest.fixture
+def place(qtbot, theme, tmp_path: Path) -> Iterator[Place]:
+    made = Place(tmp_path / "data")
+    yield made
+    made.bench.close()
+
+
+@pytest.fixture
+def make_watch(qtbot) -> Iterator[MakeWatch]:
+    """Makes runners under test, and closes them."""
+    watches: list[Watch] = []
+
+    def make(**options: object) -> Watch:
+        watches.append(Watch(qtbot, **options))
+        return watches[-1]
+
+    yield make
+    for watch in watches:
+        watch.runner.close()
+    assert workers() == []
 
 
 @pytest.fixture

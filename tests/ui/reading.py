@@ -1,11 +1,22 @@
-"""Every text that a window shows or says of itself."""
+"""Every text that a window shows or says of itself; what takes keys, and how it is called."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
 from PySide6.QtCore import QAbstractListModel, QObject, Qt
-from PySide6.QtWidgets import QAbstractItemView, QComboBox, QLineEdit, QPlainTextEdit
+from PySide6.QtWidgets import (
+    QAbstractButton,
+    QAbstractItemView,
+    QAbstractSlider,
+    QAbstractSpinBox,
+    QComboBox,
+    QLineEdit,
+    QPlainTextEdit,
+    QScrollBar,
+    QTabBar,
+    QWidget,
+)
 
 PLACES = ("text", "toolTip", "accessibleName", "windowTitle", "placeholderText", "statusTip", "title")
 
@@ -34,3 +45,38 @@ def _cells(view: QAbstractItemView) -> Iterator[str]:
         texts = [model.headerData(column, Qt.Orientation.Horizontal)]
         texts += [model.index(row, column).data() for row in range(model.rowCount())]
         yield from (text for text in texts if isinstance(text, str))
+
+
+def takes_keys(widget: QWidget) -> bool:
+    """Whether the keyboard can be in it."""
+    kinds = (QAbstractButton, QLineEdit, QComboBox, QAbstractSpinBox, QAbstractSlider, QAbstractItemView)
+    if not isinstance(widget, kinds) or isinstance(widget, QScrollBar) or not widget.focusPolicy():
+        return False
+    inner = (
+        isinstance(widget.parentWidget(), QComboBox | QAbstractSpinBox | QLineEdit | QTabBar)
+        or "qt_" in widget.objectName()
+    )
+    return not inner and widget.metaObject().className() not in ("QComboBoxListView", "QHeaderView", "QTabBar")
+
+
+def tip_of(widget: QWidget) -> str:
+    """Its tooltip, or that of what it is part of."""
+    part: QWidget | None = widget
+    for _ in range(3):
+        if part is None:
+            break
+        if part.toolTip():
+            return part.toolTip()
+        part = part.parentWidget()
+    return ""
+
+
+def where_is(widget: QWidget) -> str:
+    """What it is, and in what."""
+    names = [widget.metaObject().className(), widget.objectName()]
+    parents, parent = [], widget.parentWidget()
+    while parent is not None:
+        parents.append(type(parent).__name__)
+        parent = parent.parentWidget()
+    text = widget.text() if isinstance(widget, QAbstractButton) else widget.accessibleName()
+    return f"{' '.join(names)} {text!r} in {' in '.join(parents)}"

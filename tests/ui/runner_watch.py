@@ -49,6 +49,9 @@ class Watch:
         return [result for _, result in self.of("job_done")]
 
 
+MakeWatch = Callable[..., Watch]
+
+
 def workers() -> list[psutil.Process]:
     """Running children that are CAD processes, and dead ones of any kind that were not waited for."""
     found = []

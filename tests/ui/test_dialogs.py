@@ -21,8 +21,8 @@ from PySide6.QtWidgets import (
 
 from gearstudio.design import Design
 from gearstudio.project import save_design
+from tests.ui.reading import takes_keys, tip_of, where_is
 from tests.ui.screen import NEEDS_SCREEN
-from tests.ui.test_habits import _takes_keys, _tip, _where
 from tests.ui.whole import PATIENCE_MS, complete
 from ui.actions import COMMANDS
 from ui.app import Studio
@@ -73,13 +73,13 @@ def cut(top: QWidget) -> list[str]:
             and not rich
             and widget.fontMetrics().horizontalAdvance(max(text.split("\n"), key=len)) > widget.width()
         ):
-            found.append(f"{_where(widget)}: {text}")
+            found.append(f"{where_is(widget)}: {text}")
         if (
             isinstance(widget, QLabel)
             and widget.wordWrap()
             and widget.heightForWidth(widget.width()) > widget.height() + 1
         ):
-            found.append(f"{_where(widget)}: lines of {text[:60]}")
+            found.append(f"{where_is(widget)}: lines of {text[:60]}")
     return found
 
 
@@ -88,12 +88,12 @@ def unnamed(top: QWidget) -> list[str]:
     found = []
     for widget in top.findChildren(QWidget):
         standard = isinstance(widget.parentWidget(), QDialogButtonBox) and isinstance(top, QMessageBox)
-        if not _takes_keys(widget) or standard:
+        if not takes_keys(widget) or standard:
             continue
         if not QAccessible.queryAccessibleInterface(widget).text(QAccessible.Text.Name):
-            found.append(f"no name: {_where(widget)}")
-        if not _tip(widget):
-            found.append(f"no tip: {_where(widget)}")
+            found.append(f"no name: {where_is(widget)}")
+        if not tip_of(widget):
+            found.append(f"no tip: {where_is(widget)}")
     return found
 
 

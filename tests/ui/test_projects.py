@@ -1,4 +1,4 @@
-"""Recent files, two windows with one design, backups, drops, and two designs side by side."""
+"""Two windows with one design, backups, and two designs side by side."""
 
 from __future__ import annotations
 
@@ -9,21 +9,17 @@ import sys
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import QMimeData, QObject, QSettings, QUrl, Signal
-from PySide6.QtWidgets import QMenu, QMessageBox
+from PySide6.QtWidgets import QMessageBox
 
 from gearstudio.design import with_field
 from gearstudio.presets import PRESETS
 from gearstudio.project import load_design, save_design
 from tests.ui.stand_ins import Bench
-from ui.projects import windows
 from ui.projects.backups import Backups
 from ui.projects.compare_dialog import CompareDialog
 from ui.projects.desk import Desk
 from ui.projects.differences import as_text, differences
-from ui.projects.drops import Drops, dropped_files
 from ui.projects.lock import ProjectLock
-from ui.projects.recent import Recent
 
 ROOT = Path(__file__).resolve().parents[2]
 pytestmark = pytest.mark.ui
@@ -41,52 +37,6 @@ def design(tmp_path) -> Path:
     path = tmp_path / "axle.gear.toml"
     save_design(path, PRESETS[4].design)
     return path
-
-
-def settings(tmp_path) -> QSettings:
-    return QSettings(str(tmp_path / "settings.ini"), QSettings.Format.IniFormat)
-
-
-# --- recent files
-
-
-def test_recent_files_are_remembered_newest_first(qtbot, theme, tmp_path) -> None:
-    paths = [tmp_path / f"{number}.gear.toml" for number in range(15)]
-    for path in paths:
-        path.touch()
-    menu = QMenu()
-    recent = Recent(menu, settings(tmp_path))
-    for path in [*paths, paths[12]]:
-        recent.add(path)
-    assert recent.paths[:3] == (paths[12], paths[14], paths[13]) and len(set(recent.paths)) == 12
-    assert Recent(QMenu(), settings(tmp_path)).paths == recent.paths
-    chosen: list[Path] = []
-    recent.chosen.connect(chosen.append)
-    menu.actions()[1].trigger()
-    assert chosen == [paths[14]]
-
-
-def test_missing_recent_files_are_marked_and_removed(qtbot, theme, tmp_path) -> None:
-    here, gone = tmp_path / "here.gear.toml", tmp_path / "gone & away.gear.toml"
-    here.touch()
-    menu = QMenu()
-    recent = Recent(menu, settings(tmp_path))
-    recent.add(gone)
-    recent.add(here)
-    assert menu.actions()[0].isEnabled() and not menu.actions()[1].isEnabled()
-    assert "gone && away" in menu.actions()[1].text() and "missing" in menu.actions()[1].text()
-    next(action for action in menu.actions() if "missing ones" in action.text()).trigger()
-    assert recent.paths == (here,)
-    menu.actions()[-1].trigger()
-    assert recent.paths == () and not menu.actions()[-1].isEnabled() and not menu.actions()[0].isVisible()
-
-
-@pytest.mark.parametrize("stored", [None, "one", ["a", 3, None], 7, {"a": 1}, ["\0"], [""]])
-def test_strange_settings_do_no_harm(qtbot, theme, tmp_path, stored: object) -> None:
-    kept = settings(tmp_path)
-    kept.setValue("files/recent", stored)
-    recent = Recent(QMenu(), kept)
-    assert all(isinstance(path, Path) and path.name for path in recent.paths)
 
 
 def test_opening_and_saving_fill_the_menu(bench: Bench, desk: Desk, design: Path, tmp_path) -> None:
@@ -235,58 +185,6 @@ def test_without_backups_that_is_said(bench: Bench, desk: Desk) -> None:
     assert desk.show_backups() is None and "no backups" in bench.window.messages.text
     desk.recover()
     assert "no unsaved work" in bench.window.messages.text
-
-
-# --- drops and windows
-
-
-class FakePage:
-    def __init__(self) -> None:
-        self.opened: list[Path] = []
-
-    def open_path(self, path: Path) -> None:
-        self.opened.append(path)
-
-
-class FakeArea(QObject):
-    page_made = Signal(object)
-
-    def __init__(self) -> None:
-        super().__init__()
-        self.pages: dict[str, FakePage] = {}
-        self.shown: list[str] = []
-
-    def show_tab(self, tab: str) -> None:
-        self.shown.append(tab)
-
-
-def test_drops_are_sorted(tmp_path) -> None:
-    names = ("a.csv", "b.gear.toml", "c.png", "d.GEAR.TOML", "e.DAT")
-    data = QMimeData()
-    data.setUrls([QUrl.fromLocalFile(str(tmp_path / name)) for name in names] + [QUrl("https://example.com/f.csv")])
-    design, others = dropped_files(data)
-    assert design.name == "b.gear.toml" and [path.name for path in others] == ["a.csv", "d.GEAR.TOML", "e.DAT"]
-    assert dropped_files(QMimeData()) == (None, ())
-
-
-def test_points_wait_for_the_page_and_designs_get_windows(qtbot, monkeypatch, tmp_path) -> None:
-    started: list[tuple[str, ...]] = []
-    monkeypatch.setattr("ui.projects.drops.open_window", lambda *names: started.append(names))
-    area = FakeArea()
-    drops = Drops(area)
-    drops.take((tmp_path / "b.gear.toml", tmp_path / "a.csv"))
-    assert area.shown == ["measurement"] and started == [(str(tmp_path / "b.gear.toml"),)]
-    page = area.pages["measurement"] = FakePage()
-    area.page_made.emit(page)
-    assert page.opened == [tmp_path / "a.csv"]
-    drops.take((tmp_path / "c.ibl",))
-    assert page.opened[-1] == tmp_path / "c.ibl"
-
-
-def test_a_window_is_this_program_again(monkeypatch) -> None:
-    assert windows.command("a.gear.toml") == [sys.executable, str(ROOT / "main.py"), "a.gear.toml"]
-    monkeypatch.setattr(sys, "frozen", True, raising=False)
-    assert windows.command("a.gear.toml") == [sys.executable, "a.gear.toml"]
 
 
 # --- two designs side by side

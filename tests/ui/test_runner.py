@@ -6,39 +6,21 @@ import os
 import signal
 import sys
 import time
-from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import numpy as np
 import psutil
 import pytest
 from PySide6.QtCore import QThread, QTimer
-from pytestqt.qtbot import QtBot
 
 from gearstudio.jobs import Job
-from tests.ui.runner_watch import Watch, worker_process, workers
+from tests.ui.runner_watch import MakeWatch, Watch, worker_process, workers
 from tests.worker import fake_jobs as fake
 
-Make = Callable[..., Watch]
-
 
 @pytest.fixture
-def make(qtbot: QtBot) -> Iterator[Make]:
-    watches: list[Watch] = []
-
-    def made(**options: object) -> Watch:
-        watches.append(Watch(qtbot, **options))  # type: ignore[arg-type]
-        return watches[-1]
-
-    yield made
-    for watch in watches:
-        watch.runner.close()
-    assert workers() == []
-
-
-@pytest.fixture
-def watch(make: Make) -> Watch:
-    return make()
+def watch(make_watch: MakeWatch) -> Watch:
+    return make_watch()
 
 
 def test_a_request_is_carried_out_in_order_and_told_in_order(watch: Watch) -> None:
@@ -69,8 +51,8 @@ def test_signals_come_on_the_thread_of_the_runner(watch: Watch) -> None:
     assert threads == [True]
 
 
-def test_nothing_starts_before_it_is_asked_to(make: Make) -> None:
-    make()
+def test_nothing_starts_before_it_is_asked_to(make_watch: MakeWatch) -> None:
+    make_watch()
     assert workers() == []
 
 
@@ -92,8 +74,8 @@ def test_a_newer_request_drops_results_already_on_their_way(watch: Watch) -> Non
     assert watch.results == ["new"]
 
 
-def test_a_superseded_job_that_is_nearly_done_keeps_its_process(make: Make) -> None:
-    watch = make(grace_s=30.0)
+def test_a_superseded_job_that_is_nearly_done_keeps_its_process(make_watch: MakeWatch) -> None:
+    watch = make_watch(grace_s=30.0)
     old, new = fake.Sleep(0.4, "old"), fake.Echo("new")
     watch.runner.submit([old, fake.Echo("waiting")])
     watch.wait_started(old)
@@ -173,8 +155,8 @@ def test_cancelling_ends_the_running_job_and_forgets_the_rest(watch: Watch) -> N
     assert not watch.of("job_failed") and "replaced" not in watch.states
 
 
-def test_cancelling_while_the_process_warms_up_keeps_it(make: Make) -> None:
-    watch = make(warm_up=fake.SlowWarmUp(0.5))
+def test_cancelling_while_the_process_warms_up_keeps_it(make_watch: MakeWatch) -> None:
+    watch = make_watch(warm_up=fake.SlowWarmUp(0.5))
     job = fake.Echo("cancelled")
     watch.runner.submit([job])
     watch.wait(lambda: watch.of("queue_changed"))
@@ -239,8 +221,8 @@ def test_a_large_result_arrives_whole_while_the_window_goes_on(watch: Watch) -> 
 
 
 @pytest.mark.parametrize("moment", ["starting", "warming up", "idle", "busy", "sending", "cancelling"])
-def test_closing_at_any_moment_leaves_no_process(make: Make, moment: str) -> None:
-    watch = make(warm_up=fake.SlowWarmUp(3600) if moment == "warming up" else fake.no_warm_up)
+def test_closing_at_any_moment_leaves_no_process(make_watch: MakeWatch, moment: str) -> None:
+    watch = make_watch(warm_up=fake.SlowWarmUp(3600) if moment == "warming up" else fake.no_warm_up)
     job = fake.Arrays(100) if moment == "sending" else fake.Sleep(3600)
     if moment == "idle":
         watch.runner.start()

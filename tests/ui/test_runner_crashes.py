@@ -4,34 +4,17 @@ from __future__ import annotations
 
 import os
 import signal
-from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
-from pytestqt.qtbot import QtBot
 
-from tests.ui.runner_watch import Watch, worker_process, workers
+from tests.ui.runner_watch import MakeWatch, Watch, worker_process, workers
 from tests.worker import fake_jobs as fake
 from tests.worker.fake_jobs import Fuse
 
 pytestmark = pytest.mark.skipif(not hasattr(signal, "SIGKILL"), reason="no such signals")
 
 SIGNALS = [signal.SIGKILL, signal.SIGSEGV]
-Make = Callable[..., Watch]
-
-
-@pytest.fixture
-def make(qtbot: QtBot) -> Iterator[Make]:
-    watches: list[Watch] = []
-
-    def made(**options: object) -> Watch:
-        watches.append(Watch(qtbot, **options))  # type: ignore[arg-type]
-        return watches[-1]
-
-    yield made
-    for watch in watches:
-        watch.runner.close()
-    assert workers() == []
 
 
 def reasons(watch: Watch) -> list[object]:
@@ -40,8 +23,8 @@ def reasons(watch: Watch) -> list[object]:
 
 @pytest.mark.parametrize("how", SIGNALS)
 @pytest.mark.parametrize("phase", [fake.CrashingStart, fake.CrashingWarmUp])
-def test_a_crash_before_it_is_ready(make: Make, tmp_path: Path, phase: type, how: int) -> None:
-    watch = make(warm_up=phase(Fuse(tmp_path, how)))
+def test_a_crash_before_it_is_ready(make_watch: MakeWatch, tmp_path: Path, phase: type, how: int) -> None:
+    watch = make_watch(warm_up=phase(Fuse(tmp_path, how)))
     watch.runner.submit([fake.Echo("done")])
     watch.wait(lambda: watch.results)
     assert reasons(watch) == [f"it was killed by {signal.Signals(how).name}"]
@@ -49,8 +32,8 @@ def test_a_crash_before_it_is_ready(make: Make, tmp_path: Path, phase: type, how
 
 
 @pytest.mark.parametrize("how", SIGNALS)
-def test_a_crash_while_it_has_nothing_to_do(make: Make, how: int) -> None:
-    watch = make()
+def test_a_crash_while_it_has_nothing_to_do(make_watch: MakeWatch, how: int) -> None:
+    watch = make_watch()
     watch.runner.start()
     watch.wait_state("ready")
     os.kill(worker_process().pid, how)
@@ -62,8 +45,10 @@ def test_a_crash_while_it_has_nothing_to_do(make: Make, how: int) -> None:
 
 @pytest.mark.parametrize("how", SIGNALS)
 @pytest.mark.parametrize("phase", [fake.CrashOnArrival, fake.CrashWhileBusy])
-def test_a_job_during_which_it_crashes_once_is_tried_again(make: Make, tmp_path: Path, phase: type, how: int) -> None:
-    watch = make()
+def test_a_job_during_which_it_crashes_once_is_tried_again(
+    make_watch: MakeWatch, tmp_path: Path, phase: type, how: int
+) -> None:
+    watch = make_watch()
     job = phase(Fuse(tmp_path, how))
     watch.runner.submit([job, fake.Echo("next")])
     watch.wait_empty()
@@ -73,24 +58,24 @@ def test_a_job_during_which_it_crashes_once_is_tried_again(make: Make, tmp_path:
 
 
 @pytest.mark.parametrize("how", SIGNALS)
-def test_a_crash_in_the_middle_of_a_large_result(make: Make, tmp_path: Path, how: int) -> None:
-    watch = make(warm_up=fake.CrashingSend(Fuse(tmp_path, how)))
+def test_a_crash_in_the_middle_of_a_large_result(make_watch: MakeWatch, tmp_path: Path, how: int) -> None:
+    watch = make_watch(warm_up=fake.CrashingSend(Fuse(tmp_path, how)))
     watch.runner.submit([fake.Arrays(4)])
     watch.wait(lambda: watch.results)
     assert reasons(watch) == [f"it was killed by {signal.Signals(how).name}"]
     assert len(watch.results) == 1 and not watch.of("job_failed")
 
 
-def test_an_exit_is_a_crash_too(make: Make, tmp_path: Path) -> None:
-    watch = make()
+def test_an_exit_is_a_crash_too(make_watch: MakeWatch, tmp_path: Path) -> None:
+    watch = make_watch()
     watch.runner.submit([fake.CrashWhileBusy(Fuse(tmp_path, how=-3))])
     watch.wait_empty()
     assert reasons(watch) == ["it ended with exit status 3"]
     assert watch.results == ["survived"]
 
 
-def test_a_job_that_crashes_it_twice_fails_and_the_next_one_runs(make: Make, tmp_path: Path) -> None:
-    watch = make()
+def test_a_job_that_crashes_it_twice_fails_and_the_next_one_runs(make_watch: MakeWatch, tmp_path: Path) -> None:
+    watch = make_watch()
     killer = fake.CrashWhileBusy(Fuse(tmp_path, signal.SIGSEGV, times=5))
     watch.runner.submit([killer, fake.Echo("next")])
     watch.wait_empty()
@@ -100,8 +85,8 @@ def test_a_job_that_crashes_it_twice_fails_and_the_next_one_runs(make: Make, tmp
     assert len(reasons(watch)) == 2
 
 
-def test_a_superseded_job_that_crashes_it_is_forgotten(make: Make, tmp_path: Path) -> None:
-    watch = make(grace_s=60.0)
+def test_a_superseded_job_that_crashes_it_is_forgotten(make_watch: MakeWatch, tmp_path: Path) -> None:
+    watch = make_watch(grace_s=60.0)
     old = fake.Sleep(3600)
     watch.runner.submit([old])
     watch.wait_started(old)
@@ -112,8 +97,8 @@ def test_a_superseded_job_that_crashes_it_is_forgotten(make: Make, tmp_path: Pat
     assert not watch.of("job_failed")
 
 
-def test_it_is_given_up_after_three_bad_starts_and_can_be_restarted(make: Make, tmp_path: Path) -> None:
-    watch = make(warm_up=fake.CrashingWarmUp(Fuse(tmp_path, signal.SIGKILL, times=3)))
+def test_it_is_given_up_after_three_bad_starts_and_can_be_restarted(make_watch: MakeWatch, tmp_path: Path) -> None:
+    watch = make_watch(warm_up=fake.CrashingWarmUp(Fuse(tmp_path, signal.SIGKILL, times=3)))
     watch.runner.submit([fake.Echo("kept")])
     watch.wait_state("stopped")
     assert watch.states == ["starting", "replaced", "replaced", "stopped"]
@@ -124,8 +109,8 @@ def test_it_is_given_up_after_three_bad_starts_and_can_be_restarted(make: Make, 
     assert watch.results == ["kept"]
 
 
-def test_a_warm_up_that_fails_names_its_reason(make: Make) -> None:
-    watch = make(warm_up=fake.failing_warm_up)
+def test_a_warm_up_that_fails_names_its_reason(make_watch: MakeWatch) -> None:
+    watch = make_watch(warm_up=fake.failing_warm_up)
     watch.runner.start()
     watch.wait_state("stopped")
     assert "ImportError: libGL.so.1" in str(watch.of("worker_state_changed")[-1][1])
@@ -136,8 +121,8 @@ def test_a_warm_up_that_fails_names_its_reason(make: Make) -> None:
     assert watch.of("job_cancelled") == [(job,)]
 
 
-def test_restarting_in_the_middle_begins_the_job_again(make: Make) -> None:
-    watch = make()
+def test_restarting_in_the_middle_begins_the_job_again(make_watch: MakeWatch) -> None:
+    watch = make_watch()
     job = fake.Sleep(1.0, "rested")
     watch.runner.submit([job])
     watch.wait_started(job)
@@ -147,8 +132,8 @@ def test_restarting_in_the_middle_begins_the_job_again(make: Make) -> None:
     assert watch.of("job_started") == [(job,), (job,)]
 
 
-def test_an_export_in_a_process_that_dies_leaves_nothing_half_made(make: Make, tmp_path: Path) -> None:
-    watch = make()
+def test_an_export_in_a_process_that_dies_leaves_nothing_half_made(make_watch: MakeWatch, tmp_path: Path) -> None:
+    watch = make_watch()
     export = fake.Export(1.0, "exported", litter=tmp_path)
     watch.runner.submit([export])
     watch.wait(lambda: list(tmp_path.iterdir()))
