@@ -53,7 +53,7 @@ def tooltip(spec: FieldSpec) -> str:
     head = f"<b>{escape(tr(spec.title))}</b>" + (f" &nbsp;<i>{subscripts(spec.symbol)}</i>" if spec.symbol else "")
     lines = [f"<p>{head}</p>", f"<p>{escape(tr(spec.description))}</p>"]
     if spec.equation:
-        lines.append(f"<p>{subscripts(spec.equation)}</p>")
+        lines.append(f"<p>{subscripts(written(spec.equation))}</p>")
     lines += [f"<p>{escape(line)}</p>" for line in _facts(spec)]
     return "".join(lines)
 

@@ -111,7 +111,8 @@ class OptionsPanel(QWidget):
             elif isinstance(editor, QCheckBox) and text in ("yes", "no"):
                 editor.setChecked(text == "yes")
             elif isinstance(editor, QLineEdit):
-                editor.setText(text)
+                value = parse_number(text)
+                editor.setText(text if isinstance(value, str) else number_text(value))
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """Show the help of what is pointed at or has the focus."""

@@ -1,7 +1,8 @@
 """Sums that are typed into a field: ``25.4*3``, ``1/2in + 0.1``, ``atan(17/40)``, ``2*tan(20deg)``.
 
 Decimal point and comma both count. A comma parts the arguments of `atan2`, `hypot`, `min`, `max` and `pow`; there
-decimals take the point, or the arguments a semicolon. Functions are those of Python's math module, angles in radians.
+decimals take the point, or the arguments a semicolon. What could be read in two ways where decimals are written with a
+comma, as ``max(1,5, 2)``, has no value. Functions are those of Python's math module, angles in radians.
 """
 
 from __future__ import annotations
@@ -14,7 +15,9 @@ from collections.abc import Callable
 
 from simpleeval import InvalidExpression, NumberTooHigh, SimpleEval
 
+from gearstudio.words import POINT
 from ui.formatting import MINUS, WIDE
+from ui.language import decimal
 from ui.units import MM_PER_INCH, factor
 from ui.words import tr
 
@@ -120,6 +123,8 @@ def _points(text: str) -> str:
             name = re.search(r"[^\W\d]\w*$", text[:place])
             rest = text[place : _closing(text, place)]
             pair = name is not None and name.group() in PAIRED and ";" not in rest
+            if pair and decimal() != POINT and _undecided(rest):
+                raise ExpressionError(tr("Separate the arguments by semicolons, as in max(1,5; 2)"))
             open_calls.append("," if pair else ".")
         elif letter == ")" and open_calls:
             open_calls.pop()
@@ -128,6 +133,14 @@ def _points(text: str) -> str:
         else:
             made.append("," if letter == ";" else letter)
     return "".join(made)
+
+
+def _undecided(call: str) -> bool:
+    """Whether commas between digits in ``(…`` may be decimal signs: where there are more than two numbers."""
+    own = call[1:]
+    while (outer := re.sub(r"\([^()]*\)", "_", own)) != own:
+        own = outer
+    return own.count(",") > 1 and re.search(r"\d,\d", own) is not None
 
 
 def _closing(text: str, start: int) -> int:

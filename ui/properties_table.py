@@ -31,6 +31,10 @@ _ROW_HEIGHT = 23
 _RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 
 
+class DensityField(QLineEdit):
+    """A number that the table keeps, not its text."""
+
+
 class PropertiesTable(QWidget):
     """Material and density above, numbers below."""
 
@@ -45,7 +49,7 @@ class PropertiesTable(QWidget):
             self.material.addItem(tr(material.name), material.density)
         self.material.addItem(tr(CUSTOM), None)
         self._density = MATERIALS[0].density
-        self.density_field = QLineEdit()
+        self.density_field = DensityField()
         self.density_field.setAccessibleName(tr("Density"))
         self.density_field.setAlignment(Qt.AlignmentFlag.AlignRight)
         self.density_field.setFixedWidth(64)
@@ -96,6 +100,16 @@ class PropertiesTable(QWidget):
         self.density_field.setText(_density_text(self._density))
         self._say_density()
         self._refresh()
+
+    def keep_state(self) -> float:
+        """The density, for `take_state`."""
+        return self._density
+
+    def take_state(self, state: object) -> None:
+        """Take a density."""
+        if isinstance(state, int | float):
+            self._density = float(state)
+            self.show_units()
 
     def text_table(self) -> str:
         """All properties as tab-separated text."""

@@ -95,12 +95,12 @@ def test_the_menu_key_opens_it_from_the_frame(frame: ChartFrame) -> None:
 
 
 def test_a_copied_table_speaks_the_language_and_the_unit(inches: None, qapp: QApplication) -> None:
-    table = Table(("member", "flank", "x [mm]", "gap [µm]"), [("pinion", "concave", 25.4, 3.0)])
+    table = Table(("member", "flank", "x [mm]", "gap [µm]"), [("pinion", "concave", 25.4, 3.5)])
     language = Language(qapp, "de")
     try:
         shown = table.shown()
     finally:
         language.speak("en")
     assert shown.head[2:] == ("x [in]", shown.head[3]) and shown.head[3].endswith("[µm]")
-    assert shown.rows[0][2:] == [1.0, 3.0] and "konkav" in shown.rows[0][1].lower()
-    assert table.text() == "member,flank,x [mm],gap [µm]\npinion,concave,25.4,3\n", "files stay as they are"
+    assert shown.rows[0][2:] == ["1", "3,5"] and "konkav" in shown.rows[0][1].lower()
+    assert table.text() == "member,flank,x [mm],gap [µm]\npinion,concave,25.4,3.5\n", "files stay as they are"

@@ -6,6 +6,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from ui.formatting import MEMBER_TITLES
+from ui.language import decimal
 from ui.theme import Tokens
 from ui.units import factor, to_shown
 from ui.words import noted, tr
@@ -49,7 +50,11 @@ def drawing(
     """
     import typst
 
-    return bytes(typst.compile(_source(equation, numbers, colors, width_pt, applies).encode(), format="svg"))
+    from gearstudio.report.language import Language, speaking
+
+    with speaking(Language(decimal=decimal())):
+        source = _source(equation, numbers, colors, width_pt, applies)
+    return bytes(typst.compile(source.encode(), format="svg"))
 
 
 def _source(equation: Equation, numbers: dict[str, Numbers], colors: Tokens, width_pt: float, applies: bool) -> str:
@@ -82,8 +87,11 @@ def _source(equation: Equation, numbers: dict[str, Numbers], colors: Tokens, wid
 
 
 def _fitted(formula: str) -> str:
-    lines = formula.replace(", quad ", ", \\ ")
-    return f"#fit([$ {formula} $], [$ {lines} $])"
+    from gearstudio.report.mathematics import pointed
+
+    written = pointed(formula)
+    lines = written.replace(", quad ", ", \\ ")
+    return f"#fit([$ {written} $], [$ {lines} $])"
 
 
 def _prose(text: str) -> str:
@@ -107,7 +115,9 @@ def _titled(numbers: dict[str, Numbers]) -> list[tuple[str, Numbers]]:
 
 
 def _values(given: tuple[Given, ...]) -> str:
-    return " ".join(f"#box[${_shown(one).mathematics(8)}$#h(1em)]" for one in given)
+    from gearstudio.report.mathematics import pointed
+
+    return " ".join(f"#box[${pointed(_shown(one).mathematics(8))}$#h(1em)]" for one in given)
 
 
 def _shown(given: Given) -> Given:
