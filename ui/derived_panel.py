@@ -9,21 +9,10 @@ from html import escape
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QModelIndex, Qt
-from PySide6.QtGui import QPainter, QStaticText
-from PySide6.QtWidgets import (
-    QAbstractItemView,
-    QFrame,
-    QHeaderView,
-    QStyle,
-    QStyledItemDelegate,
-    QStyleOptionViewItem,
-    QTableWidget,
-    QTableWidgetItem,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtWidgets import QFrame, QTableWidgetItem, QVBoxLayout, QWidget
 
 from ui.formatting import MINUS, fixed, subscripts
+from ui.quiet_table import LEFT, RIGHT, RichDelegate, quiet_table
 from ui.units import unit_shown, value_text
 from ui.words import tr
 
@@ -32,7 +21,6 @@ if TYPE_CHECKING:
     from gearstudio.theory.flank import FlankName
 
 
-INDENT = 8
 FLANK_INDENT = "\N{NO-BREAK SPACE}" * 4
 SYMBOL = Qt.ItemDataRole.UserRole
 
@@ -140,25 +128,12 @@ def pair_rows(pair: PairGeometry) -> tuple[tuple[str, str, str, str], ...]:
     )
 
 
-class SymbolDelegate(QStyledItemDelegate):
+class SymbolDelegate(RichDelegate):
     """Paints a title and its symbol, with the index below the line."""
 
-    def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: QModelIndex) -> None:
-        self.initStyleOption(option, index)
-        title, symbol = option.text, index.data(SYMBOL)
-        option.text = ""
-        option.widget.style().drawControl(QStyle.ControlElement.CE_ItemViewItem, option, painter, option.widget)
-        words = escape(title).replace(" ", "&nbsp;")
-        text = QStaticText(f"{words}&nbsp;<i>{subscripts(symbol)}</i>" if symbol else words)
-        text.setTextFormat(Qt.TextFormat.RichText)
-        text.prepare(font=option.font)
-        painter.setPen(option.palette.text().color())
-        painter.setFont(option.font)
-        place = option.rect.adjusted(INDENT, 0, 0, 0)
-        painter.save()
-        painter.setClipRect(option.rect)
-        painter.drawStaticText(place.left(), round(place.center().y() + 1 - option.fontMetrics.height() / 2), text)
-        painter.restore()
+    def rich(self, index: QModelIndex) -> str:
+        title, symbol = escape(index.data() or "").replace(" ", "&nbsp;"), index.data(SYMBOL)
+        return f"{title}&nbsp;<i>{subscripts(symbol)}</i>" if symbol else title
 
 
 class DerivedPanel(QWidget):
@@ -167,25 +142,11 @@ class DerivedPanel(QWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._pair: PairGeometry | None = None
-        self.view = QTableWidget(0, 4)
-        self.view.setHorizontalHeaderLabels(["", tr("Pinion"), tr("Wheel"), ""])
-        self.view.verticalHeader().hide()
-        self.view.verticalHeader().setDefaultSectionSize(24)
-        self.view.setShowGrid(False)
-        self.view.setAlternatingRowColors(True)
-        self.view.setWordWrap(False)
-        self.view.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
-        self.view.setSelectionMode(QAbstractItemView.SelectionMode.ContiguousSelection)
-        header = self.view.horizontalHeader()
-        header.setSectionResizeMode(0, QHeaderView.ResizeMode.Stretch)
-        for column, width in ((1, 68), (2, 68), (3, 42)):
-            header.setSectionResizeMode(column, QHeaderView.ResizeMode.Fixed)
-            self.view.setColumnWidth(column, width)
-            self.view.horizontalHeaderItem(column).setTextAlignment(_RIGHT)
+        self.view = quiet_table(("", "Pinion", "Wheel", ""), (68, 68, 42), tr("Derived values of both members"))
+        for column in (1, 2, 3):
+            self.view.horizontalHeaderItem(column).setTextAlignment(RIGHT)
         self.view.setItemDelegateForColumn(0, SymbolDelegate(self.view))
-        self.view.setAccessibleName(tr("Derived values of both members"))
         self.view.setToolTip(tr("What follows from the parameters"))
-        self.view.setTabKeyNavigation(False)
         card = QFrame()
         card.setProperty("role", "card")
         inside = QVBoxLayout(card)
@@ -232,15 +193,12 @@ class DerivedPanel(QWidget):
         item = self.view.item(row, column)
         if item is None:
             item = QTableWidgetItem()
-            item.setTextAlignment(_RIGHT if right else Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft)
+            item.setTextAlignment(RIGHT if right else LEFT)
             item.setData(SYMBOL, symbol)
             self.view.setItem(row, column, item)
         if item.text() != text:
             item.setText(text)
             item.setToolTip(text)
-
-
-_RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 
 
 def _plain(item: QTableWidgetItem | None) -> str:

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
-from ui.analysis.sheet_table import LEFT, RIGHT, add_heading, cell, quiet_table
+from ui.quiet_table import LEFT, RIGHT, add_heading, cell, quiet_table
 from ui.words import tr
 
 if TYPE_CHECKING:

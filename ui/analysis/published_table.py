@@ -6,8 +6,8 @@ from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QLabel, QTableWidgetItem, QVBoxLayout, QWidget
 
 from gearstudio.analysis.selfcheck import Check, self_check
-from ui.analysis.sheet_table import LEFT, RIGHT, add_heading, cell, quiet_table
 from ui.formatting import written
+from ui.quiet_table import LEFT, RIGHT, add_heading, cell, quiet_table
 from ui.theme import tokens
 from ui.words import tr
 

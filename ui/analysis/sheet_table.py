@@ -8,29 +8,17 @@ from html import escape
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QModelIndex, Qt, Signal
-from PySide6.QtGui import QFont, QPainter, QStaticText
-from PySide6.QtWidgets import (
-    QAbstractItemView,
-    QHeaderView,
-    QStyle,
-    QStyledItemDelegate,
-    QStyleOptionViewItem,
-    QTableWidget,
-    QTableWidgetItem,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from ui.formatting import MINUS, written
+from ui.quiet_table import LEFT, RIGHT, RichDelegate, add_heading, cell, quiet_table
 from ui.units import unit_shown, value_text
 from ui.words import tr
 
 if TYPE_CHECKING:
     from gearstudio.analysis.datasheet import DataSheet, Quantity
 
-RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 DECIMALS = {"mm": 4, "°": 5}
-LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
 HEADS = ("Quantity", "Symbol", "Pinion", "Wheel", "Unit")
 
 
@@ -47,65 +35,11 @@ def shown_value(quantity: Quantity) -> str:
     return written(quantity.text).replace("-", MINUS)
 
 
-class IndexDelegate(QStyledItemDelegate):
+class IndexDelegate(RichDelegate):
     """Paints a symbol with its index below the line."""
 
-    def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: QModelIndex) -> None:
-        self.initStyleOption(option, index)
-        symbol, option.text = option.text, ""
-        option.widget.style().drawControl(QStyle.ControlElement.CE_ItemViewItem, option, painter, option.widget)
-        text = QStaticText(f"<i>{lowered(symbol)}</i>")
-        text.setTextFormat(Qt.TextFormat.RichText)
-        text.prepare(font=option.font)
-        painter.setPen(option.palette.text().color())
-        painter.setFont(option.font)
-        painter.drawStaticText(
-            option.rect.left() + 7, round(option.rect.center().y() + 1 - option.fontMetrics.height() / 2), text
-        )
-
-
-def quiet_table(heads: tuple[str, ...], widths: tuple[int, ...], name: str) -> QTableWidget:
-    """A read-only table; the first column takes what room is left by the others."""
-    table = QTableWidget(0, len(heads))
-    table.setHorizontalHeaderLabels([tr(head) for head in heads])
-    table.verticalHeader().hide()
-    table.verticalHeader().setDefaultSectionSize(24)
-    table.setShowGrid(False)
-    table.setAlternatingRowColors(True)
-    table.setWordWrap(False)
-    table.setTabKeyNavigation(False)
-    table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
-    table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectItems)
-    table.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
-    table.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-    table.setAccessibleName(name)
-    header = table.horizontalHeader()
-    header.setHighlightSections(False)
-    header.setSectionResizeMode(0, QHeaderView.ResizeMode.Stretch)
-    table.horizontalHeaderItem(0).setTextAlignment(LEFT)
-    for column, width in enumerate(widths, start=1):
-        header.setSectionResizeMode(column, QHeaderView.ResizeMode.Fixed)
-        table.setColumnWidth(column, width)
-    return table
-
-
-def cell(text: str, alignment: Qt.AlignmentFlag = LEFT, *, bold: bool = False) -> QTableWidgetItem:
-    """A cell of such a table."""
-    item = QTableWidgetItem(text)
-    item.setTextAlignment(alignment)
-    if bold:
-        font = QFont()
-        font.setBold(True)
-        item.setFont(font)
-    return item
-
-
-def add_heading(table: QTableWidget, row: int, text: str) -> None:
-    """A row that names the group of the rows below it; it cannot be chosen."""
-    item = cell(text, bold=True)
-    item.setFlags(Qt.ItemFlag.ItemIsEnabled)
-    table.setItem(row, 0, item)
-    table.setSpan(row, 0, 1, table.columnCount())
+    def rich(self, index: QModelIndex) -> str:
+        return f"<i>{lowered(index.data() or '')}</i>"
 
 
 class SheetTable(QWidget):
