@@ -6,11 +6,10 @@ import numpy as np
 import pyqtgraph as pg
 from PySide6.QtCore import QPointF
 from PySide6.QtGui import QColor
-from PySide6.QtWidgets import QVBoxLayout, QWidget
+from PySide6.QtWidgets import QWidget
 
+from ui.charts.canvas import Canvas
 from ui.charts.colors import chart_color
-from ui.charts.export import Paint, scene_paint
-from ui.charts.menu import QuietView
 from ui.charts.parts import ChartAxis, curve, legend_text, pen
 from ui.charts.records import Axis, ChartData, Reference, Series, Table
 
@@ -21,13 +20,12 @@ LEAST_FILLED = 0.5
 """While the curves fill this part of the height, the scale stays as they move."""
 
 
-class Chart(QWidget):
+class Chart(Canvas):
     """Axes, curves and legend of a :class:`ChartData`; the wheel zooms, a double click shows everything again."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.data = ChartData("chart", Axis(""), Axis(""))
-        self._view = QuietView()
         self._view.ci.layout.setContentsMargins(4, 4, 8, 2)
         self._view.ci.layout.setVerticalSpacing(0)
         self._legend = self._view.addLabel("", row=0, col=0, justify="left")
@@ -42,9 +40,6 @@ class Chart(QWidget):
         self._curves: list[pg.PlotDataItem] = []
         self._spans: list[pg.PlotDataItem] = []
         self._held = False
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.addWidget(self._view)
         self._view.scene().sigMouseMoved.connect(self._on_moved)
         self._view.scene().sigMouseClicked.connect(self._on_clicked)
         self.plot.vb.sigRangeChangedManually.connect(self._on_zoomed)
@@ -81,19 +76,9 @@ class Chart(QWidget):
         self._fill()
 
     @property
-    def paint(self) -> Paint:
-        """A function that draws the chart as it is, on the theme's ground, into any painter."""
-        return scene_paint(self._view, lambda: chart_color("surface"))
-
-    @property
     def table(self) -> Table:
         """The numbers shown."""
         return self.data.numbers
-
-    @property
-    def name(self) -> str:
-        """For file names."""
-        return self.data.name
 
     # ---- drawing -------------------------------------------------------------------------------------
 

@@ -9,12 +9,11 @@ import pyqtgraph as pg
 from numpy.typing import NDArray
 from PySide6.QtCore import QPointF, QRectF, Signal
 from PySide6.QtGui import QResizeEvent
-from PySide6.QtWidgets import QVBoxLayout, QWidget
+from PySide6.QtWidgets import QWidget
 
+from ui.charts.canvas import Canvas
 from ui.charts.colors import chart_color
-from ui.charts.export import Paint, scene_paint
 from ui.charts.maps import Colors, FlankMap, MapData, Scale
-from ui.charts.menu import QuietView
 from ui.charts.parts import pen
 from ui.charts.records import Table
 from ui.theme import is_dark
@@ -25,7 +24,7 @@ LEAST_ASIDE = 0.05
 """Room left and right of a map, as a share of its width."""
 
 
-class MapChart(QWidget):
+class MapChart(Canvas):
     """Shows a :class:`MapData`, true to scale.
 
     Signals
@@ -39,14 +38,10 @@ class MapChart(QWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.data = MapData("map")
-        self._view = QuietView()
         self._view.ci.layout.setContentsMargins(2, 2, 2, 2)
         self._view.ci.layout.setSpacing(2)
         self._plots: list[_MapPlot] = []
         self._bar: pg.LabelItem | None = None
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.addWidget(self._view)
         self._view.scene().sigMouseMoved.connect(self._on_moved)
         self.setMinimumSize(160, 120)
         self.refresh_theme()
@@ -71,19 +66,9 @@ class MapChart(QWidget):
         self._fill()
 
     @property
-    def paint(self) -> Paint:
-        """A function that draws the maps as they are into any painter."""
-        return scene_paint(self._view, lambda: chart_color("surface"))
-
-    @property
     def table(self) -> Table:
         """The numbers shown."""
         return self.data.table()
-
-    @property
-    def name(self) -> str:
-        """For file names."""
-        return self.data.name
 
     def _fill(self) -> None:
         if self.data.colors is not None:
