@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 from gearstudio.errors import GeometryError
 from gearstudio.nurbs import NurbsSurface, basis_matrix
 from gearstudio.theory.flank import Flank
-from gearstudio.theory.vectors import dot
+from gearstudio.theory.vectors import dot, matched
 
 Floats = NDArray[np.float64]
 Derivatives = tuple[Floats, Floats, Floats, Floats, Floats]
@@ -72,7 +72,7 @@ def theory_curvature_at(flank: Flank, psi: ArrayLike, rho: ArrayLike) -> Curvatu
     GeometryError
         A point lies on the base cone, where one curvature is infinite.
     """
-    psi, rho = np.broadcast_arrays(np.asarray(psi, dtype=np.float64), np.asarray(rho, dtype=np.float64))
+    psi, rho = matched(psi, rho)
     if np.any(psi < _BELOW_PSI):
         raise GeometryError("the flank's curvature is infinite on the base cone; take points above it")
     return _curvature(flank.at(psi, rho), flank.derivatives_at(psi, rho), flank.normals_at(psi, rho))

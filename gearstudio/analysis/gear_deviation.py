@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from gearstudio.theory.chamfer import EndChamfer
 from gearstudio.theory.cones import MemberGeometry
 from gearstudio.theory.section import Profile
+from gearstudio.theory.vectors import spherical, wrapped
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -57,7 +58,7 @@ class GearTheory:
 
     def teeth_of(self, points: Floats, behind: float = 0.0) -> Ints:
         """Number, from 0, of the tooth whose pitch, moved on by an angle [rad], holds each point (..., 3)."""
-        rho, _, phi = _spherical(points)
+        rho, _, phi = spherical(points)
         turned = phi - self.member.lengthwise.azimuth(rho) - behind
         return np.asarray(np.round(turned / self.member.pitch).astype(np.int64) % self.member.teeth)
 
@@ -125,7 +126,7 @@ class GearTheory:
         side, _, word = name.partition(" ")
         if side not in ("concave", "convex"):
             return np.ones(points.shape[:-1], dtype=bool)
-        rho, delta, phi = _spherical(points)
+        rho, delta, phi = spherical(points)
         member = self.member
         sign = member.hand if side == "concave" else -member.hand
         place = self._place(rho, delta)
@@ -136,30 +137,30 @@ class GearTheory:
             "": (np.maximum(foot, flank), np.full_like(foot, np.pi)),
         }[word]
         slack = _INSIDE * (member.tip_angle - member.root_angle)
-        beside = sign * _wrapped(phi - member.lengthwise.azimuth(rho))
+        beside = sign * wrapped(phi - member.lengthwise.azimuth(rho))
         return np.asarray((delta >= low - slack) & (delta <= high + slack) & (beside > 0))
 
     def _from_fillet(self, side: int, points: Floats) -> Floats:
         """From the circle of theory 6 on the unit sphere, times rho."""
-        rho, delta, phi = _spherical(points)
+        rho, delta, phi = spherical(points)
         return self.profile.off_fillet(side, rho, delta, phi - self.member.lengthwise.azimuth(rho))
 
     def _from_straight(self, side: int, points: Floats) -> Floats:
         """From the great circle between fillet and flank on the unit sphere, times rho."""
-        rho, delta, phi = _spherical(points)
+        rho, delta, phi = spherical(points)
         return self.profile.off_straight(side, rho, delta, phi - self.member.lengthwise.azimuth(rho))
 
     def _from_tip(self, points: Floats) -> Floats:
-        rho, delta, _ = _spherical(points)
+        rho, delta, _ = spherical(points)
         return np.asarray((delta - self.member.limit_angle(self.member.tip_limit, self._place(rho, delta))) * rho)
 
     def _from_root(self, points: Floats) -> Floats:
-        rho, delta, _ = _spherical(points)
+        rho, delta, _ = spherical(points)
         return np.asarray((delta - self.member.limit_angle(self.member.root_limit, self._place(rho, delta))) * rho)
 
     def _from_end(self, points: Floats) -> Floats:
         """From the back or front end, whichever is nearer."""
-        rho, delta, _ = _spherical(points)
+        rho, delta, _ = spherical(points)
         place = self.member.end_distance(rho, delta)
         low, high = self._face
         toe, heel = low - place, place - high
@@ -178,13 +179,3 @@ class GearTheory:
     def _place(self, rho: Floats, delta: Floats) -> Floats:
         low, high = self._face
         return np.clip(self.member.end_distance(rho, delta), 0.5 * low, 2.0 * high)
-
-
-def _spherical(points: Floats) -> tuple[Floats, Floats, Floats]:
-    x, y, z = np.moveaxis(points, -1, 0)
-    radius = np.hypot(x, y)
-    return np.hypot(radius, z), np.arctan2(radius, z), np.arctan2(y, x)
-
-
-def _wrapped(angle: Floats) -> Floats:
-    return np.asarray(np.remainder(angle + np.pi, 2 * np.pi) - np.pi)

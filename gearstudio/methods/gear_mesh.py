@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gearstudio.errors import GeometryError
-from gearstudio.methods.grafts import placed
+from gearstudio.methods.grafts import own_coordinates, placed
 from gearstudio.methods.rings import SHARE, TWIST_SHARE, Points, Rings
 from gearstudio.methods.tooth import Tooth
 from gearstudio.nurbs import NurbsSurface
@@ -193,17 +193,10 @@ def _quads(grid: Ints, starts: Ints, closed: bool = True, points: Floats | None 
 
 def _across(member: MemberGeometry, left: Floats, right: Floats, count: int) -> Floats:
     """Points between two points of an end surface (..., 3), without them, shape (..., count - 1, 3)."""
-    own = [_own(member, points) for points in (left, right)]
+    own = [own_coordinates(member, points) for points in (left, right)]
     t = np.arange(1, count) / count
     mixed = [a[..., None] + t * (b - a)[..., None] for a, b in zip(*own, strict=True)]
     return placed(member, mixed[0], mixed[1], mixed[2])
-
-
-def _own(member: MemberGeometry, points: Floats) -> tuple[Floats, Floats, Floats]:
-    radius = np.hypot(points[..., 0], points[..., 1])
-    rho, delta = np.hypot(radius, points[..., 2]), np.arctan2(radius, points[..., 2])
-    phi = np.arctan2(points[..., 1], points[..., 0]) - member.lengthwise.azimuth(rho)
-    return member.end_distance(rho, delta), delta, np.remainder(phi + np.pi, 2 * np.pi) - np.pi
 
 
 def _end_ladder(sampled: _Sampled, columns: Ints, end: int, maker: Points) -> tuple[Ints, Ints]:

@@ -16,6 +16,7 @@ from gearstudio.methods.space import Points, Space
 from gearstudio.nurbs import NurbsSurface
 from gearstudio.theory.cones import MemberGeometry
 from gearstudio.theory.section import Profile, Segment, Shift
+from gearstudio.theory.vectors import from_spherical, spherical, wrapped
 
 Floats = NDArray[np.float64]
 Angles = Callable[[Floats, Floats], tuple[Floats, Floats]]
@@ -37,19 +38,20 @@ class Edge:
 
 def edge_of(member: MemberGeometry, surface: NurbsSurface, u: float, places: Floats, turned: float = 0.0) -> Edge:
     """The edge u of a surface that is turned about the axis by an angle [rad]."""
-    x, y, z = surface.grid(np.array([u]), places)[0].T
-    radius = np.hypot(x, y)
-    rho, delta = np.hypot(radius, z), np.arctan2(radius, z)
-    phi = np.arctan2(y, x) - member.lengthwise.azimuth(rho)
-    phi = np.remainder(phi + np.pi, 2 * np.pi) - np.pi
-    return Edge(member.end_distance(rho, delta), delta, phi + turned)
+    rho_u, delta, phi = own_coordinates(member, surface.grid(np.array([u]), places)[0])
+    return Edge(rho_u, delta, phi + turned)
+
+
+def own_coordinates(member: MemberGeometry, points: Floats) -> tuple[Floats, Floats, Floats]:
+    """rho_u [mm], polar angle and azimuth [rad] of points (..., 3) in the tooth's own coordinates, shape (...) each."""
+    rho, delta, phi = spherical(points)
+    return member.end_distance(rho, delta), delta, wrapped(phi - member.lengthwise.azimuth(rho))
 
 
 def placed(member: MemberGeometry, rho_u: Floats, delta: Floats, phi: Floats) -> Floats:
     """Points of the tooth's own coordinates, shape (..., 3) [mm]."""
     rho = member.cone_distance(rho_u, delta)
-    azimuth, radius = phi + member.lengthwise.azimuth(rho), rho * np.sin(delta)
-    return np.stack([radius * np.cos(azimuth), radius * np.sin(azimuth), rho * np.cos(delta)], axis=-1)
+    return from_spherical(rho, delta, phi + member.lengthwise.azimuth(rho))
 
 
 def blended(
@@ -77,7 +79,7 @@ def blended(
             if edge.delta is not None and edge.phi is not None:
                 there = at(np.full((1, 1), float(end)), edge.rho_u[None, :])
                 delta = delta + share * (edge.delta - there[0])
-                phi = phi + share * _wrapped(edge.phi - there[1])
+                phi = phi + share * wrapped(edge.phi - there[1])
         return placed(member, rho_u, delta, phi)
 
     return points
@@ -107,7 +109,3 @@ def reversed_across(surface: NurbsSurface) -> NurbsSurface:
 def profile_space() -> Space:
     """Where the fit of a face begins across the tooth."""
     return Space.even(5, 1)
-
-
-def _wrapped(angle: Floats) -> Floats:
-    return np.asarray(np.remainder(angle + np.pi, 2 * np.pi) - np.pi)

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gearstudio.theory.cones import MemberGeometry
+from gearstudio.theory.vectors import wrapped
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -102,7 +103,7 @@ def _zipped(points: Floats, upper: Ints, lower: Ints) -> Ints:
     for loop in (upper, lower):
         azimuth = np.unwrap(np.arctan2(points[loop, 1], points[loop, 0]))
         turns.append(azimuth)
-    shift = np.argmin(np.abs(np.remainder(turns[1] - turns[0][0] + np.pi, 2 * np.pi) - np.pi))
+    shift = np.argmin(np.abs(wrapped(turns[1] - turns[0][0])))
     lower = np.roll(lower, -shift)
     turns[1] = np.unwrap(np.roll(turns[1], -shift))
     turns[1] += 2 * np.pi * np.round((turns[0][0] - turns[1][0]) / (2 * np.pi))

@@ -22,6 +22,7 @@ from gearstudio.methods.grafts import (
     blended,
     edge_of,
     lower_angles,
+    own_coordinates,
     profile_space,
     reversed_across,
 )
@@ -102,10 +103,7 @@ def graft(profile: Profile, flanks: dict[int, NurbsSurface], goal: float) -> tup
 def _check_foot(profile: Profile, side: int, surface: NurbsSurface) -> None:
     """Refuse a flank whose lower edge leaves no room for the fillet."""
     member = profile.member
-    x, y, z = surface.grid([0.0], np.linspace(0.0, 1.0, _FOOT_SAMPLES))[0].T
-    radius = np.hypot(x, y)
-    delta = np.arctan2(radius, z)
-    rho_u = member.end_distance(np.hypot(radius, z), delta)
+    rho_u, delta, _ = own_coordinates(member, surface.grid([0.0], np.linspace(0.0, 1.0, _FOOT_SAMPLES))[0])
     root = member.limit_angle(member.root_limit, rho_u)
     if np.any(delta - root < _LEAST_FILLET * (profile.foot_angle(side, rho_u) - root)):
         raise GeometryError(

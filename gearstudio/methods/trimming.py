@@ -13,6 +13,7 @@ from gearstudio.methods.space import Space, fitted, space_u, space_v
 from gearstudio.nurbs import NurbsSurface
 from gearstudio.theory.flank import Flank
 from gearstudio.theory.involute_flank import InvoluteFlank
+from gearstudio.theory.vectors import matched
 
 Floats = NDArray[np.float64]
 
@@ -82,7 +83,7 @@ class _Borders:
 
     def at(self, x: Floats | float, y: Floats | float) -> tuple[Floats, Floats]:
         """Parameters at places x from foot to tip and y from toe to heel, by Coons' blending of the edges."""
-        x, y = np.broadcast_arrays(np.asarray(x, dtype=np.float64), np.asarray(y, dtype=np.float64))
+        x, y = matched(x, y)
 
         def edge(coefficients: Floats, t: Floats) -> Floats:
             return np.moveaxis(np.asarray(chebval(2 * t - 1, coefficients), np.float64), 0, -1)

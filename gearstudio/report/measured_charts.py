@@ -12,6 +12,7 @@ from gearstudio.report.maps import absent, bars, colored, longest_bar, name_axes
 from gearstudio.report.style import DIVERGING, SIDES, Frame, figure, length_unit, rounded_up, scale, svg
 from gearstudio.theory.cones import MemberGeometry
 from gearstudio.theory.flank import FLANKS, FlankName
+from gearstudio.theory.vectors import spherical
 
 Floats = NDArray[np.float64]
 _LEAST_UM = 1e-3
@@ -52,9 +53,7 @@ def topography(member: MemberGeometry, result: MeasurementResult) -> bytes:
 def _net(member: MemberGeometry, result: MeasurementResult, name: FlankName) -> tuple[Floats, Floats, Floats]:
     """Places from the toe and above the pitch cone [mm] and mean deviations [µm], shape (n, m), NaN where none is."""
     chosen = np.asarray(result.flanks) == name
-    points = result.pose.undo(result.points[chosen])
-    radius = np.hypot(points[:, 0], points[:, 1])
-    rho, delta = np.hypot(radius, points[:, 2]), np.arctan2(radius, points[:, 2])
+    rho, delta, _ = spherical(result.pose.undo(result.points[chosen]))
     values = (rho - member.inner_cone_distance, rho * (delta - member.pitch_angle), result.deviation_um[chosen])
     face, profile = result.face_place[chosen], result.profile_place[chosen]
     x, y, error = (cell_means(value, face, profile) for value in values)

@@ -7,6 +7,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from gearstudio.errors import GeometryError
 from gearstudio.theory.cones import MemberGeometry
+from gearstudio.theory.vectors import matched
 
 Floats = NDArray[np.float64]
 
@@ -143,7 +144,7 @@ def generating_line(member: MemberGeometry, side: int, rho: ArrayLike, contact_a
     K(rho; a) = rho [cos(psi) e_t(a) + sin(psi) e_phi(a)], psi = (phi_0(rho) - a) sin(delta_b):
     theory.md section 5.1. psi of the wrong sign for the side lies beyond the cusp and is no flank.
     """
-    rho, a = np.broadcast_arrays(np.asarray(rho, dtype=np.float64), np.asarray(contact_azimuth, dtype=np.float64))
+    rho, a = matched(rho, contact_azimuth)
     psi = (start_azimuth(member, side, rho) - a) * np.sin(member.base_angle)
     along, across, _ = tangent_plane(member.base_angle, a)
     unit = np.cos(psi)[..., None] * along + np.sin(psi)[..., None] * across

@@ -11,7 +11,6 @@ from gearstudio.errors import GeometryError
 from gearstudio.theory.cones import MemberGeometry
 from gearstudio.theory.flank import FlankName, border_gap
 from gearstudio.theory.involute import (
-    azimuth_from_arc,
     involute_azimuth,
     polar_angle,
     roll_arc,
@@ -19,7 +18,7 @@ from gearstudio.theory.involute import (
     tangent_plane,
 )
 from gearstudio.theory.limit import Limit
-from gearstudio.theory.vectors import quarter, spherical
+from gearstudio.theory.vectors import matched, quarter, spherical, wrapped
 
 Floats = NDArray[np.float64]
 
@@ -83,7 +82,7 @@ class InvoluteFlank:
 
     def coordinates(self, u: ArrayLike, v: ArrayLike) -> tuple[Floats, Floats]:
         """psi [rad] and rho [mm] at (u, v); psi is linear in u, in which the flank is analytic."""
-        u, v = np.broadcast_arrays(np.asarray(u, dtype=np.float64), np.asarray(v, dtype=np.float64))
+        u, v = matched(u, v)
         low, high = (roll_arc(limit, self.member.base_angle) for limit in self.limits(v))
         psi = low + u * (high - low)
         return psi, self.member.cone_distance(self._end_distance(v), polar_angle(psi, self.member.base_angle))
@@ -126,7 +125,7 @@ class InvoluteFlank:
 
     def at(self, psi: ArrayLike, rho: ArrayLike) -> Floats:
         """Points rho [cos(psi) e_t(a) + side sin(psi) e_phi(a)] at natural coordinates, shape (..., 3) (theory 5.1)."""
-        psi, rho = np.broadcast_arrays(np.asarray(psi, dtype=np.float64), np.asarray(rho, dtype=np.float64))
+        psi, rho = matched(psi, rho)
         return np.asarray(rho[..., None] * self._ray(psi, rho, self.member.base_angle)[0])
 
     def contact_azimuth(self, psi: ArrayLike, rho: ArrayLike) -> Floats:
@@ -146,14 +145,13 @@ class InvoluteFlank:
         With K the unit vector of `at` and e_n the normal of the rolling plane,
         K_psi = sin(psi) cot(delta_b) e_n: the flank's point moves square to the plane that generates it.
         """
-        psi, rho = np.broadcast_arrays(np.asarray(psi, dtype=np.float64), np.asarray(rho, dtype=np.float64))
-        sin_b, cot_b = np.sin(self.member.base_angle), 1 / np.tan(self.member.base_angle)
+        psi, rho = matched(psi, rho)
+        cot_b = 1 / np.tan(self.member.base_angle)
         along, across, normal = tangent_plane(self.member.base_angle, self.contact_azimuth(psi, rho))
         sin_psi, cos_psi, r = np.sin(psi)[..., None], np.cos(psi)[..., None], rho[..., None]
         unit = cos_psi * along + self.side * sin_psi * across
         unit_psi = sin_psi * cot_b * normal
-        cos_b = cot_b * sin_b
-        unit_psi_psi = cot_b * (cos_psi * normal - self.side * sin_psi * (cos_b / sin_b) * across)
+        unit_psi_psi = cot_b * (cos_psi * normal - self.side * sin_psi * cot_b * across)
         _, first, second = (x[..., None] for x in self.member.lengthwise.azimuth_derivatives(rho))
         turned, turned_psi, turned_twice = quarter(unit), quarter(unit_psi), quarter(quarter(unit))
         return (
@@ -166,7 +164,7 @@ class InvoluteFlank:
 
     def normals_at(self, psi: ArrayLike, rho: ArrayLike) -> Floats:
         """Unit normals out of the metal at natural coordinates; regular on the base cone too, shape (..., 3)."""
-        psi, rho = np.broadcast_arrays(np.asarray(psi, dtype=np.float64), np.asarray(rho, dtype=np.float64))
+        psi, rho = matched(psi, rho)
         return self._normal(*self._ray(psi, rho, self.member.base_angle), rho)
 
     def locate(self, points: ArrayLike) -> tuple[Floats, Floats, Floats]:
@@ -180,8 +178,7 @@ class InvoluteFlank:
 
     def natural_at(self, rho: ArrayLike, polar_angle: ArrayLike) -> tuple[Floats, Floats]:
         """Natural coordinates (psi, rho) at places on the flank; those below the base cone count as on it."""
-        base = self.member.base_angle
-        return roll_arc(np.clip(polar_angle, base, np.pi - base), base), np.asarray(rho, dtype=np.float64)
+        return roll_arc(self._above(polar_angle), self.member.base_angle), np.asarray(rho, dtype=np.float64)
 
     def deviation(self, points: ArrayLike) -> Floats:
         """Signed normal distance of points from the flank, positive where metal is added.
@@ -203,7 +200,7 @@ class InvoluteFlank:
         """
         points = np.asarray(points, dtype=np.float64)
         rho, delta, phi = self.locate(points)
-        error = self._azimuth_deviation(rho, delta, phi)
+        error = np.asarray(self.side * wrapped(phi - self._continued_azimuth(rho, delta)) * self.lever(rho, delta))
         far = np.abs(error) > _ITERATE_ABOVE * rho
         if np.any(far):
             error = np.array(error)
@@ -224,12 +221,13 @@ class InvoluteFlank:
         """
         return border_gap(self, points)
 
-    def _azimuth_deviation(self, rho: Floats, delta: Floats, phi: Floats) -> Floats:
-        base = self.member.base_angle
-        psi = roll_arc(np.clip(delta, base, np.pi - base), base)
-        flank_phi = start_azimuth(self.member, self.side, rho) - self.side * azimuth_from_arc(psi, base)
-        difference = np.remainder(phi - flank_phi + np.pi, 2 * np.pi) - np.pi
-        return np.asarray(self.side * difference * self.lever(rho, delta))
+    def _continued_azimuth(self, rho: Floats, delta: Floats) -> Floats:
+        """Azimuth of the flank, and of the meridians that continue it below the base cone [rad]."""
+        return InvoluteFlank.azimuth(self, rho, self._above(delta))
+
+    def _above(self, polar_angle: ArrayLike) -> Floats:
+        """Polar angles, those below the base cone brought up to it [rad]."""
+        return np.clip(polar_angle, self.member.base_angle, np.pi - self.member.base_angle)
 
     def _foot_point_deviation(self, points: Floats, start: Floats) -> Floats:
         """Distance along the normal of the foot point; ``start`` stands where the iteration finds none."""
@@ -246,9 +244,13 @@ class InvoluteFlank:
 
     def _continued(self, rho: Floats, delta: Floats) -> tuple[Floats, Floats]:
         """Points and outward normals of the flank and of the meridians that continue it below the base cone."""
-        base = self.member.base_angle
-        unit, plane = self._ray(roll_arc(np.clip(delta, base, np.pi - base), base), rho, np.minimum(delta, base))
+        unit, plane = self._continued_ray(rho, delta)
         return rho[..., None] * unit, self._normal(unit, plane, rho)
+
+    def _continued_ray(self, rho: Floats, delta: Floats) -> tuple[Floats, Floats]:
+        """As `_ray`, along the meridians too."""
+        base = self.member.base_angle
+        return self._ray(roll_arc(self._above(delta), base), rho, np.minimum(delta, base))
 
     def _ray(self, psi: Floats, rho: Floats, cone_angle: float | Floats) -> tuple[Floats, Floats]:
         """Direction of a point from the apex, and the normal of the plane that rolls on a cone and makes it."""
@@ -267,8 +269,7 @@ class InvoluteFlank:
     def lever(self, rho: Floats, polar_angle: Floats) -> Floats:
         """Normal distance per difference in azimuth [mm/rad] (theory 5); as on the base cone below it."""
         m = self.member
-        above = np.clip(polar_angle, m.base_angle, np.pi - m.base_angle)
-        profile = (np.sin(above) / np.sin(m.base_angle)) ** 2  # 1 + (sin(delta_k) beta'(delta_k))^2
+        profile = (np.sin(self._above(polar_angle)) / np.sin(m.base_angle)) ** 2  # 1 + (sin(delta_k) beta'(delta_k))^2
         spiral = (np.sin(polar_angle) * rho * m.lengthwise.azimuth_slope(rho)) ** 2
         return np.asarray(rho * np.sin(polar_angle) / np.sqrt(profile + spiral))
 
@@ -278,10 +279,8 @@ class InvoluteFlank:
 
     def azimuth(self, rho: ArrayLike, polar_angle: ArrayLike) -> Floats:
         """phi(rho, delta_k) of theory 5 [rad]."""
-        return np.asarray(
-            start_azimuth(self.member, self.side, rho)
-            - self.side * involute_azimuth(polar_angle, self.member.base_angle)
-        )
+        beta = involute_azimuth(polar_angle, self.member.base_angle)
+        return np.asarray(start_azimuth(self.member, self.side, rho) - self.side * beta)
 
 
 def involute_flank(member: MemberGeometry, name: FlankName) -> InvoluteFlank:

@@ -14,11 +14,10 @@ from gearstudio.theory.hypoid.conjugate import ConjugateFlank, pinion_flank
 from gearstudio.theory.hypoid.inputs import MemberName
 from gearstudio.theory.hypoid.modified import ModifiedConjugate
 from gearstudio.theory.involute import polar_angle as polar_angle_of
-from gearstudio.theory.involute import roll_arc, tangent_plane
 from gearstudio.theory.involute_flank import InvoluteFlank, involute_flank
 from gearstudio.theory.limit import Limit
 from gearstudio.theory.relief import Derivatives, FlankRelief
-from gearstudio.theory.vectors import turned, turned_derivatives
+from gearstudio.theory.vectors import matched, turned, turned_derivatives
 
 Floats = NDArray[np.float64]
 
@@ -40,7 +39,7 @@ class ModifiedFlank(InvoluteFlank):
 
     def turning(self, psi: ArrayLike, rho: ArrayLike) -> Floats:
         """Azimuth by which metal taken off turns the point at natural coordinates [rad/mm]."""
-        psi, rho = np.broadcast_arrays(np.asarray(psi, dtype=np.float64), np.asarray(rho, dtype=np.float64))
+        psi, rho = matched(psi, rho)
         return -self.side * _lever_inverse(self.member, rho)[0]
 
     @property
@@ -50,7 +49,7 @@ class ModifiedFlank(InvoluteFlank):
 
     def at(self, psi: ArrayLike, rho: ArrayLike) -> Floats:
         """Points at natural coordinates, shape (..., 3)."""
-        psi, rho = np.broadcast_arrays(np.asarray(psi, dtype=np.float64), np.asarray(rho, dtype=np.float64))
+        psi, rho = matched(psi, rho)
         return turned(super().at(psi, rho), self.shift(rho, polar_angle_of(psi, self.member.base_angle)))
 
     def azimuth(self, rho: ArrayLike, polar_angle: ArrayLike) -> Floats:
@@ -63,13 +62,13 @@ class ModifiedFlank(InvoluteFlank):
 
     def derivatives_at(self, psi: ArrayLike, rho: ArrayLike) -> tuple[Floats, Floats, Floats, Floats, Floats]:
         """First and second derivatives by psi and rho: those of R_z(s) X, shape (..., 3) each."""
-        psi, rho = np.broadcast_arrays(np.asarray(psi, dtype=np.float64), np.asarray(rho, dtype=np.float64))
+        psi, rho = matched(psi, rho)
         point, by = super().at(psi, rho), super().derivatives_at(psi, rho)
         return turned_derivatives(point, by, self._shift_by_natural(psi, rho))
 
     def normals_at(self, psi: ArrayLike, rho: ArrayLike) -> Floats:
         """Unit normals out of the metal at natural coordinates; regular on the base cone too, shape (..., 3)."""
-        psi, rho = np.broadcast_arrays(np.asarray(psi, dtype=np.float64), np.asarray(rho, dtype=np.float64))
+        psi, rho = matched(psi, rho)
         profile = np.sin(psi) / np.tan(self.member.base_angle)
         return self._normals(self.at(psi, rho), rho, polar_angle_of(psi, self.member.base_angle), profile)
 
@@ -80,9 +79,8 @@ class ModifiedFlank(InvoluteFlank):
 
     def _profile_slope(self, delta: Floats) -> Floats:
         """sin(delta_k) beta'(delta_k) = sqrt(sin^2 delta_k / sin^2 delta_b - 1), 0 on the meridians below."""
-        base = self.member.base_angle
-        above = np.clip(delta, base, np.pi - base)
-        return np.asarray(np.sqrt(np.maximum((np.sin(above) / np.sin(base)) ** 2 - 1, 0.0)))
+        ratio = np.sin(self._above(delta)) / np.sin(self.member.base_angle)
+        return np.asarray(np.sqrt(np.maximum(ratio**2 - 1, 0.0)))
 
     def _slopes(self, rho: Floats, delta: Floats, profile: Floats) -> tuple[Floats, Floats]:
         """sin(delta_k) phi'_delta and rho sin(delta_k) phi'_rho."""
@@ -90,19 +88,11 @@ class ModifiedFlank(InvoluteFlank):
         theta = self.member.lengthwise.azimuth_slope(rho)
         return np.sin(delta) * s_d - self.side * profile, rho * np.sin(delta) * (theta + s_r)
 
-    def _azimuth_deviation(self, rho: Floats, delta: Floats, phi: Floats) -> Floats:
-        base = self.member.base_angle
-        above = np.clip(delta, base, np.pi - base)
-        flank_phi = super().azimuth(rho, above) + self.shift(rho, delta)
-        difference = np.remainder(phi - flank_phi + np.pi, 2 * np.pi) - np.pi
-        return np.asarray(self.side * difference * self.lever(rho, delta))
+    def _continued_azimuth(self, rho: Floats, delta: Floats) -> Floats:
+        return super()._continued_azimuth(rho, delta) + self.shift(rho, delta)
 
     def _continued(self, rho: Floats, delta: Floats) -> tuple[Floats, Floats]:
-        base = self.member.base_angle
-        psi = roll_arc(np.clip(delta, base, np.pi - base), base)
-        along, across, _ = tangent_plane(np.minimum(delta, base), self.contact_azimuth(psi, rho))
-        unit = np.cos(psi)[..., None] * along + self.side * np.sin(psi)[..., None] * across
-        points = turned(rho[..., None] * unit, self.shift(rho, delta))
+        points = turned(rho[..., None] * self._continued_ray(rho, delta)[0], self.shift(rho, delta))
         return points, self._normals(points, rho, delta, self._profile_slope(delta))
 
     def _normals(self, points: Floats, rho: Floats, delta: Floats, profile: Floats) -> Floats:

@@ -21,6 +21,7 @@ from gearstudio.theory.involute import azimuth_from_arc, base_azimuth, involute_
 from gearstudio.theory.limit import ConeLimit
 from gearstudio.theory.modified import azimuth_shift, azimuth_shift_slope_at_place, flank_on, relief_on
 from gearstudio.theory.section import Profile, Segment, Shift, faded, off_circle
+from gearstudio.theory.vectors import from_spherical, matched, spherical, wrapped
 
 Floats = NDArray[np.float64]
 
@@ -59,8 +60,7 @@ class ToothProfile:
             azimuth = m.pitch / 2 + s * (fillet.centre_azimuth - m.pitch / 2)
             return np.full_like(s, m.root_angle), azimuth
         if segment == "fillet":
-            x, y, z = np.moveaxis(fillet.points(s), -1, 0)
-            return np.arctan2(np.hypot(x, y), z), np.arctan2(y, x)
+            return spherical(fillet.points(s))[1:]
         if segment == "meridian":
             return fillet.foot_angle + s * (m.base_angle - fillet.foot_angle), np.full_like(s, start)
         if segment == "flank":
@@ -76,7 +76,7 @@ class ToothProfile:
         value and slope at its place along the face and fades out, slope included, at the root. Turning about the axis
         by a smooth function of the place leaves faces tangent that were tangent.
         """
-        rho, delta = np.broadcast_arrays(np.asarray(rho, dtype=np.float64), np.asarray(delta, dtype=np.float64))
+        rho, delta = matched(rho, delta)
         m, relief = self.member, relief_on(self.member, side)
         if relief is None:
             return np.zeros(rho.shape)
@@ -146,7 +146,7 @@ class ToothProfile:
     def off_fillet(self, side: int, rho: Floats, delta: Floats, phi: Floats) -> Floats:
         """See `Profile`."""
         turned = phi - self.shift(side, rho, delta)
-        azimuth = np.remainder(side * turned - self.fillet.centre_azimuth + np.pi, 2 * np.pi) - np.pi
+        azimuth = wrapped(side * turned - self.fillet.centre_azimuth)
         return off_circle(np.asarray(self.fillet.radius), np.asarray(self.fillet.centre_angle), delta, azimuth) * rho
 
     def extended(self, member: MemberGeometry) -> Profile:
@@ -180,9 +180,7 @@ class ToothProfile:
         sides = [side * phi + share * self.shift(side, rho, delta) for side in (1, -1)]
         delta, phi = np.concatenate([delta, delta[-2::-1]]), np.concatenate([sides[0], sides[1][-2::-1]])
         rho = m.cone_distance(rho_u, delta)
-        azimuth = phi + m.lengthwise.azimuth(rho)
-        radius = rho * np.sin(delta)
-        return np.stack([radius * np.cos(azimuth), radius * np.sin(azimuth), rho * np.cos(delta)], axis=-1)
+        return from_spherical(rho, delta, phi + m.lengthwise.azimuth(rho))
 
 
 def profile_of(member: MemberGeometry) -> Profile:

@@ -22,6 +22,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from gearstudio.design import FlankModification
+from gearstudio.theory.vectors import matched
 
 Floats = NDArray[np.float64]
 Derivatives = tuple[Floats, Floats, Floats, Floats, Floats, Floats]
@@ -142,7 +143,7 @@ class FlankRelief:
 
     def derivatives(self, rho: ArrayLike, delta: ArrayLike) -> Derivatives:
         """e, e_rho, e_delta, e_rho_rho, e_rho_delta, e_delta_delta, broadcast together."""
-        rho, delta = np.broadcast_arrays(np.asarray(rho, dtype=np.float64), np.asarray(delta, dtype=np.float64))
+        rho, delta = matched(rho, delta)
         x, x_r, x_d, x_rr, x_rd, x_dd = self.frame.lengthwise(rho, delta)
         y, y_r, y_d, y_rr, y_rd, y_dd = self.frame.profile(rho, delta)
         f_x, f_y, f_xx, f_xy, f_yy = self._by_place(x, y)

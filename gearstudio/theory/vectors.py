@@ -8,6 +8,12 @@ from numpy.typing import ArrayLike, NDArray
 Floats = NDArray[np.float64]
 
 
+def matched(a: ArrayLike, b: ArrayLike) -> tuple[Floats, Floats]:
+    """Two quantities as floats of one shape, broadcast together."""
+    first, second = np.broadcast_arrays(np.asarray(a, dtype=np.float64), np.asarray(b, dtype=np.float64))
+    return first, second
+
+
 def of(x: Floats, y: Floats, z: Floats | np.float64) -> Floats:
     """Vectors of components, the first as large as any; on short arrays several times faster than numpy's stack."""
     made = np.empty((*x.shape, 3))
@@ -73,6 +79,18 @@ def spherical(points: ArrayLike) -> tuple[Floats, Floats, Floats]:
     x, y, z = np.moveaxis(np.asarray(points, dtype=np.float64), -1, 0)
     radius = np.hypot(x, y)
     return np.hypot(radius, z), np.arctan2(radius, z), np.arctan2(y, x)
+
+
+def from_spherical(rho: ArrayLike, polar_angle: ArrayLike, azimuth: ArrayLike) -> Floats:
+    """Points of spherical coordinates, broadcast together, shape (..., 3) [mm]: the inverse of `spherical`."""
+    rho, azimuth = np.asarray(rho, dtype=np.float64), np.asarray(azimuth, dtype=np.float64)
+    radius = rho * np.sin(polar_angle)
+    return of(radius * np.cos(azimuth), radius * np.sin(azimuth), rho * np.cos(polar_angle))
+
+
+def wrapped(angle: ArrayLike) -> Floats:
+    """Angles brought to the turn from -pi to pi [rad]."""
+    return np.asarray(np.remainder(np.asarray(angle, dtype=np.float64) + np.pi, 2 * np.pi) - np.pi)
 
 
 def unit(vectors: Floats) -> Floats:

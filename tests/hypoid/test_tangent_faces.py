@@ -16,9 +16,10 @@ from gearstudio.presets import PRESETS_BY_KEY
 from gearstudio.theory.cones import MemberGeometry, PairGeometry, pair_geometry
 from gearstudio.theory.hypoid.conjugate import wheel_flank
 from gearstudio.theory.hypoid.profile import HypoidProfile
-from gearstudio.theory.hypoid.straight import Touched, on_sphere
+from gearstudio.theory.hypoid.straight import Touched
 from gearstudio.theory.profile import profile_of
 from gearstudio.theory.section import Profile, Segment
+from gearstudio.theory.vectors import from_spherical
 from tests.strategies import offset_designs
 from tests.theory.hypoid.rolling import lag
 from tests.volume import gear_volume
@@ -55,7 +56,7 @@ def points(profile: Profile, name: Segment, side: int, x: Floats, rho_u: Floats)
     rho = member.cone_distance(rho_u, delta)
     shift = profile.shift_on(side)
     azimuth = phi + member.lengthwise.azimuth(rho) + (0.0 if shift is None else shift(rho, delta))
-    return rho[..., None] * on_sphere(delta, azimuth)
+    return from_spherical(rho, delta, azimuth)
 
 
 def unit(vectors: Floats) -> Floats:
@@ -143,7 +144,7 @@ def test_a_circle_touches_great_circle_and_root() -> None:
     largest = touched.largest(root)
     for share in (0.2, 1.0):
         azimuth, foot = touched.circle(share * largest, root)
-        centre = on_sphere(root + share * largest, azimuth)
+        centre = from_spherical(1.0, root + share * largest, azimuth)
         assert np.arcsin(np.einsum("ij,ij->i", touched.pole, centre)) == pytest.approx(share * largest, abs=1e-12)
         assert np.all(foot <= touched.angle + 1e-12)
     assert foot == pytest.approx(touched.angle, abs=1e-12)

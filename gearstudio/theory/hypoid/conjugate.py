@@ -19,7 +19,7 @@ from gearstudio.theory.hypoid.pair import HypoidPair
 from gearstudio.theory.hypoid.reach import Reach, reach_of
 from gearstudio.theory.hypoid.second import derivatives
 from gearstudio.theory.involute_flank import InvoluteFlank
-from gearstudio.theory.vectors import dot, quarter, spherical
+from gearstudio.theory.vectors import dot, matched, quarter, spherical
 
 Floats = NDArray[np.float64]
 
@@ -85,7 +85,7 @@ class ConjugateFlank:
         GeometryError
             The flank has no such point.
         """
-        u, v = np.broadcast_arrays(np.asarray(u, dtype=np.float64), np.asarray(v, dtype=np.float64))
+        u, v = matched(u, v)
         low, high = self.limits(v)
         delta = low + u * (high - low)
         return self.generating(self.member.cone_distance(self._end_distance(v), delta), delta)
@@ -116,7 +116,7 @@ class ConjugateFlank:
         GeometryError
             The flank has no such point.
         """
-        rho, delta = np.broadcast_arrays(np.asarray(rho, dtype=np.float64), np.asarray(polar_angle, dtype=np.float64))
+        rho, delta = matched(rho, polar_angle)
         return self.at(*self.generating(rho, delta))
 
     def lower_angle(self, rho: ArrayLike) -> Floats:
@@ -142,7 +142,7 @@ class ConjugateFlank:
 
     def derivatives_at(self, psi: ArrayLike, rho: ArrayLike, /) -> tuple[Floats, Floats, Floats, Floats, Floats]:
         """First and second derivatives by the natural coordinates, shape (..., 3) each, in closed form."""
-        psi, rho = np.broadcast_arrays(np.asarray(psi, dtype=np.float64), np.asarray(rho, dtype=np.float64))
+        psi, rho = matched(psi, rho)
         return derivatives(self.envelope, psi, rho)
 
     def locate(self, points: ArrayLike) -> tuple[Floats, Floats, Floats]:
@@ -155,7 +155,7 @@ class ConjugateFlank:
 
     def natural_at(self, rho: ArrayLike, polar_angle: ArrayLike) -> tuple[Floats, Floats]:
         """Natural coordinates at places on the flank, or of the nearest one not far beyond its edges, (...) each."""
-        rho, delta = np.broadcast_arrays(np.asarray(rho, dtype=np.float64), np.asarray(polar_angle, dtype=np.float64))
+        rho, delta = matched(rho, polar_angle)
         return self.generating(*self._within(rho, delta))
 
     def azimuth(self, rho: ArrayLike, polar_angle: ArrayLike) -> Floats:

@@ -19,7 +19,7 @@ from gearstudio.theory.hypoid.modified import ModifiedConjugate
 from gearstudio.theory.hypoid.straight import Tangent, Touched
 from gearstudio.theory.hypoid.undercut import LEAST_AREA_RATIO
 from gearstudio.theory.relief import FlankRelief
-from gearstudio.theory.vectors import dot, quarter
+from gearstudio.theory.vectors import dot, quarter, wrapped
 
 Floats = NDArray[np.float64]
 
@@ -246,7 +246,7 @@ class ConjugateSide:
         stretch = rho * np.tan(delta - m.pitch_angle) if m.ends != "sphere" else np.zeros_like(rho)
         along = rho * n_delta + stretch * (n_rho + rho * np.sin(delta) * turn * n_phi)
         slope = -along / (rho * np.sin(delta) * n_phi)
-        return side * (np.remainder(azimuth + np.pi, 2 * np.pi) - np.pi), side * slope
+        return side * wrapped(azimuth), side * slope
 
 
 def _shares(member: MemberGeometry, rho_u: Floats) -> Floats:

@@ -12,7 +12,7 @@ from gearstudio.errors import GeometryError
 from gearstudio.theory.cones import MemberGeometry
 from gearstudio.theory.hypoid.envelope import Envelope
 from gearstudio.theory.involute import roll_arc
-from gearstudio.theory.vectors import dot
+from gearstudio.theory.vectors import dot, spherical
 
 Floats = NDArray[np.float64]
 
@@ -62,8 +62,7 @@ def _fitted(envelope: Envelope, pinion: MemberGeometry, beyond: float) -> StartO
     nodes = chebyshev.chebpts1(_NODES)
     v = 0.5 + (0.5 + beyond) * nodes
     rho = _on_face_cone(envelope, pinion, pinion.inner_cone_distance + v * pinion.face_width)
-    point, _ = face_cone_image(envelope, rho)
-    delta = np.arctan2(np.hypot(point[..., 0], point[..., 1]), point[..., 2])
+    _, delta, _ = spherical(face_cone_image(envelope, rho)[0])
     return StartOfContact(np.asarray(chebyshev.chebfit(nodes, delta, _NODES - 1), dtype=np.float64), beyond)
 
 

@@ -20,7 +20,7 @@ from gearstudio.errors import GeometryError
 from gearstudio.theory.hypoid.axes import Axes
 from gearstudio.theory.involute import roll_arc, tangent_plane
 from gearstudio.theory.involute_flank import InvoluteFlank
-from gearstudio.theory.vectors import cross, dot, quarter, turned
+from gearstudio.theory.vectors import cross, dot, matched, quarter, turned, wrapped
 
 Floats = NDArray[np.float64]
 
@@ -109,7 +109,7 @@ class Envelope:
         N = side X_rho x e_n with e_n square to the rolling plane, which is side (K x e_n - rho theta' sin(delta_b) K)
         for the unit vector K to the point; all of it turns by theta(rho) about the axis. Regular on the base cone.
         """
-        psi, rho = np.broadcast_arrays(np.asarray(psi, dtype=np.float64), np.asarray(rho, dtype=np.float64))
+        psi, rho = matched(psi, rho)
         member, side = self.wheel.member, self.side
         sin_b, cos_b = np.sin(member.base_angle), np.cos(member.base_angle)
         along, across, plane = tangent_plane(member.base_angle, self.wheel.contact_azimuth(psi, rho))
@@ -224,7 +224,7 @@ class Envelope:
         a, b, c = self.coefficients(w.normal, cross(w.point, w.normal))
         with np.errstate(invalid="ignore"):
             turn = np.arctan2(b, a) + self._branch * np.arccos(-c / np.hypot(a, b))
-        turn = self._mean_turn + np.remainder(turn - self._mean_turn + np.pi, 2 * np.pi) - np.pi
+        turn = self._mean_turn + wrapped(turn - self._mean_turn)
         cos_t, sin_t = np.cos(turn), np.sin(turn)
         steep = b * cos_t - a * sin_t
 

@@ -11,7 +11,7 @@ from gearstudio.theory.hypoid.conjugate import ConjugateFlank
 from gearstudio.theory.hypoid.envelope import PinionPoint
 from gearstudio.theory.hypoid.second import derivatives
 from gearstudio.theory.relief import FlankRelief
-from gearstudio.theory.vectors import cross, dot, quarter, turned, turned_derivatives, unit
+from gearstudio.theory.vectors import cross, dot, matched, quarter, turned, turned_derivatives, unit
 
 Floats = NDArray[np.float64]
 
@@ -47,7 +47,7 @@ class ModifiedConjugate(ConjugateFlank):
 
     def normals_at(self, psi: ArrayLike, rho: ArrayLike, /) -> Floats:
         """Unit normals out of the metal at natural coordinates, shape (..., 3)."""
-        psi, rho = np.broadcast_arrays(np.asarray(psi, dtype=np.float64), np.asarray(rho, dtype=np.float64))
+        psi, rho = matched(psi, rho)
         return self._surface(psi, rho)[1]
 
     def derivatives_at(self, psi: ArrayLike, rho: ArrayLike, /) -> tuple[Floats, Floats, Floats, Floats, Floats]:
@@ -56,7 +56,7 @@ class ModifiedConjugate(ConjugateFlank):
         All are in closed form but for the second derivatives of the turn per metal, differences of fourth order of
         the first; they count by as much as metal is taken off.
         """
-        psi, rho = np.broadcast_arrays(np.asarray(psi, dtype=np.float64), np.asarray(rho, dtype=np.float64))
+        psi, rho = matched(psi, rho)
         made, by = self.envelope.at(psi, rho), derivatives(self.envelope, psi, rho)
         length = _STEP * self.member.mean_cone_distance
         twice = (

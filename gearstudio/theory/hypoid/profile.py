@@ -18,6 +18,7 @@ from gearstudio.theory.hypoid.fillets import BEYOND, FilletError, FilletSide, in
 from gearstudio.theory.hypoid.straight import off_great_circle
 from gearstudio.theory.involute_flank import InvoluteFlank
 from gearstudio.theory.section import Segment, Shift, faded, off_circle, on_circle
+from gearstudio.theory.vectors import wrapped
 
 Floats = NDArray[np.float64]
 
@@ -121,7 +122,7 @@ class HypoidProfile:
         """See `Profile`."""
         circle = self.sides[side].circle(self._near(rho, delta))
         turned = phi - self.shift(side, rho, delta)
-        azimuth = np.remainder(side * turned - circle.centre_azimuth + np.pi, 2 * np.pi) - np.pi
+        azimuth = wrapped(side * turned - circle.centre_azimuth)
         return off_circle(circle.radius, circle.centre_angle, delta, azimuth) * rho
 
     def _near(self, rho: Floats, delta: Floats) -> Floats:

@@ -13,7 +13,7 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from gearstudio.theory.vectors import dot, of, quarter
+from gearstudio.theory.vectors import dot, from_spherical, of, quarter, spherical
 
 Floats = NDArray[np.float64]
 Angle = Callable[[Floats], Floats]
@@ -52,7 +52,7 @@ class Meridian:
 
     def pole(self, rho_u: Floats) -> Floats:
         """See `Straight`."""
-        return on_sphere(np.full_like(rho_u, np.pi / 2), np.full_like(rho_u, self.azimuth + np.pi / 2))
+        return from_spherical(1.0, np.full_like(rho_u, np.pi / 2), np.full_like(rho_u, self.azimuth + np.pi / 2))
 
     def top(self, rho_u: Floats) -> Floats:
         """See `Straight`."""
@@ -70,7 +70,7 @@ class Touched:
     @property
     def place(self) -> Floats:
         """Unit vectors to the places, shape (..., 3)."""
-        return on_sphere(self.angle, self.azimuth)
+        return from_spherical(1.0, self.angle, self.azimuth)
 
     @property
     def upward(self) -> Floats:
@@ -113,8 +113,8 @@ class Touched:
         cosine = (np.sin(radius) - pole[..., 2] * np.cos(angle)) / (flat * np.sin(angle))
         azimuth = np.arctan2(pole[..., 1], pole[..., 0]) - np.arccos(np.clip(cosine, -1.0, 1.0))
         sine = np.broadcast_to(np.sin(radius), azimuth.shape)[..., None]
-        foot = (on_sphere(angle, azimuth) - sine * pole) / np.sqrt(1 - sine**2)
-        return azimuth, np.arctan2(np.hypot(foot[..., 0], foot[..., 1]), foot[..., 2])
+        foot = (from_spherical(1.0, angle, azimuth) - sine * pole) / np.sqrt(1 - sine**2)
+        return azimuth, spherical(foot)[1]
 
 
 @dataclass(frozen=True)
@@ -133,9 +133,7 @@ class Tangent:
         length = np.arctan2(-up[..., 2], place[..., 2]) - np.arccos(np.clip(cosine, -1.0, 1.0))
         s = (1 - x) * length
         point = np.cos(s)[..., None] * place - np.sin(s)[..., None] * up
-        return np.arctan2(np.hypot(point[..., 0], point[..., 1]), point[..., 2]), np.arctan2(
-            point[..., 1], point[..., 0]
-        )
+        return spherical(point)[1:]
 
     def pole(self, rho_u: Floats) -> Floats:
         """See `Straight`."""
@@ -158,11 +156,6 @@ def off_great_circle(pole: Floats, rho: Floats, delta: Floats, phi: Floats, turn
     turning : ndarray, shape (...)
         rho theta'(rho).
     """
-    place = on_sphere(delta, phi)
+    place = from_spherical(1.0, delta, phi)
     along = turning * dot(pole, quarter(place))
     return np.asarray(rho * np.arcsin(dot(pole, place)) / np.hypot(1.0, along))
-
-
-def on_sphere(angle: Floats, azimuth: Floats) -> Floats:
-    """Unit vectors at polar angles and azimuths, shape (..., 3)."""
-    return of(np.sin(angle) * np.cos(azimuth), np.sin(angle) * np.sin(azimuth), np.cos(angle))

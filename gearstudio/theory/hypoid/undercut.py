@@ -11,6 +11,7 @@ from gearstudio.errors import GeometryError
 from gearstudio.theory.hypoid.conjugate import envelope, pinion_flank
 from gearstudio.theory.hypoid.pair import HypoidPair
 from gearstudio.theory.involute import roll_arc
+from gearstudio.theory.vectors import spherical
 
 LEAST_AREA_RATIO = 0.01
 _ALONG, _ACROSS = 41, 25
@@ -66,8 +67,7 @@ def worst_place(pair: HypoidPair, side: int) -> Undercut:
     psi = roll_arc(root, wheel.base_angle)
     share = np.linspace(0.0, 1.0, _ACROSS)[:, None] ** 0.5
     made = generator.made(psi + share * (roll_arc(tip, wheel.base_angle) - psi), rho)
-    distance = np.linalg.norm(made.point, axis=-1)
-    delta = np.arctan2(np.hypot(made.point[..., 0], made.point[..., 1]), made.point[..., 2])
+    distance, delta, _ = spherical(made.point)
     place = (pinion.end_distance(distance, delta) - pinion.inner_cone_distance) / pinion.face_width
     inside = (place >= 0) & (place <= 1) & (delta <= pinion.tip_limit.at_sphere(distance))
     ratio = np.where(inside, made.area_ratio, np.inf)
