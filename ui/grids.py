@@ -73,13 +73,6 @@ def grid_normals(grid: Floats) -> Floats:
     return np.asarray(unit)
 
 
-def on_cone(rho: Floats, polar_angle: Floats, azimuth: Floats) -> Floats:
-    """Cartesian points of spherical coordinates (theory 1), shape (..., 3)."""
-    rho, polar_angle, azimuth = np.broadcast_arrays(rho, polar_angle, azimuth)
-    radius = rho * np.sin(polar_angle)
-    return np.stack([radius * np.cos(azimuth), radius * np.sin(azimuth), rho * np.cos(polar_angle)], axis=-1)
-
-
 def turned(vectors: Floats, azimuths: Floats) -> Floats:
     """Copies of vectors (n, 3) turned about z by each azimuth, shape (len(azimuths), n, 3)."""
     cos, sin = np.cos(azimuths)[:, None], np.sin(azimuths)[:, None]

@@ -21,8 +21,9 @@ from gearstudio.theory.involute import base_cone_spiral, generating_line, polar_
 from gearstudio.theory.involute import tangent_plane as plane_axes
 from gearstudio.theory.involute_flank import InvoluteFlank
 from gearstudio.theory.modified import flank_of
+from gearstudio.theory.vectors import from_spherical
 from ui import layers as look
-from ui.grids import facing, grid_normals, grid_segments, grid_triangles, on_cone, path_segments
+from ui.grids import facing, grid_normals, grid_segments, grid_triangles, path_segments
 from ui.layers import Ink, Layer, Style
 from ui.tooth_mesh import context_layers, end_profiles
 
@@ -88,9 +89,9 @@ def roll_span_deg(member: MemberGeometry, options: SceneOptions | None = None) -
 def _cone(layer_id: str, member: MemberGeometry, angle: float, ink: Ink) -> tuple[Layer, ...]:
     around = np.linspace(0, 2 * np.pi, _AROUND)
     rho = member.outer_cone_distance
-    grid = on_cone(np.array([1e-3 * rho, rho])[:, None], np.float64(angle), around[None, :])
-    normals = on_cone(np.float64(1.0), np.float64(angle + np.pi / 2), around)
-    rims = [grid[-1], on_cone(np.float64(member.inner_cone_distance), np.float64(angle), around)]
+    grid = from_spherical(np.array([1e-3 * rho, rho])[:, None], angle, around[None, :])
+    normals = from_spherical(1.0, angle + np.pi / 2, around)
+    rims = [grid[-1], from_spherical(member.inner_cone_distance, angle, around)]
     return (
         _surface(layer_id, "cone", grid, Style(ink, opacity=_GLASS, gloss=0.3), np.broadcast_to(normals, grid.shape)),
         _paths(layer_id, "rims", rims, Style(ink, width=1.8)),

@@ -15,7 +15,8 @@ from gearstudio.theory.cones import MemberGeometry
 from gearstudio.theory.flank import Flank
 from gearstudio.theory.modified import flank_on
 from gearstudio.theory.profile import profile_of
-from ui.grids import grid_normals, grid_triangles, on_cone
+from gearstudio.theory.vectors import from_spherical, wrapped
+from ui.grids import grid_normals, grid_triangles
 from ui.layers import GREY, TOOTH_BARED, TOOTH_WALLS, TOOTH_WHOLE, Layer, Style
 from ui.meshes import Mesh, copies, joined
 
@@ -100,7 +101,7 @@ class _Tooth:
         """The inner surface of the whole body."""
         around = np.linspace(0, 2 * np.pi, 145)[:, None]
         ends = self.member.cone_distance(self.rho_u[[0, -1]], np.full(2, self.hub))
-        return on_cone(ends[None, :], np.float64(self.hub), around)
+        return from_spherical(ends[None, :], self.hub, around)
 
     def _half(self, side: int) -> dict[str, Angles]:
         made: dict[str, Angles] = {}
@@ -138,8 +139,7 @@ class _Tooth:
     def _flank(self, flank: Flank) -> Angles:
         v = (self.rho_u - self.rho_u[0]) / self.member.face_width
         rho, delta, phi = flank.locate(flank.points(self._shares("flank"), v))
-        azimuth = phi - self.member.lengthwise.azimuth(rho)
-        return delta, np.remainder(azimuth + np.pi, 2 * np.pi) - np.pi
+        return delta, wrapped(phi - self.member.lengthwise.azimuth(rho))
 
     def _completed(self, side: int, half: dict[str, Angles]) -> dict[str, Angles]:
         """Every segment as full (profile, along) arrays; a little over the middle of the space, against cracks."""
@@ -155,7 +155,7 @@ class _Tooth:
     def _place(self, delta: Floats, phi: Floats) -> Floats:
         """Points of polar angles and azimuths (n, along) of a profile, with the twist of the tooth."""
         rho = self.member.cone_distance(self.rho_u, delta)
-        return on_cone(rho, delta, phi + self.member.lengthwise.azimuth(rho))
+        return from_spherical(rho, delta, phi + self.member.lengthwise.azimuth(rho))
 
     def _cap(self, delta: Floats, phi: Floats, end: int) -> Floats:
         """End face of half a tooth: from its outline down to the bore."""
@@ -163,7 +163,7 @@ class _Tooth:
         azimuth = phi + self.member.lengthwise.azimuth(self.member.cone_distance(rho_u, delta))
         places = np.linspace(0.0, 1.0, 4 if self.member.ends == "sphere" else 2)[:, None]
         polar = self.hub + places * (delta - self.hub)
-        return on_cone(self.member.cone_distance(rho_u, polar), polar, azimuth[None, :])
+        return from_spherical(self.member.cone_distance(rho_u, polar), polar, azimuth[None, :])
 
 
 def _joined(grids: list[Floats]) -> Mesh:

@@ -12,7 +12,7 @@ from gearstudio.analysis.contact_result import ContactResult, Direction, FlankCo
 from gearstudio.theory.cones import MemberGeometry, PairGeometry
 from gearstudio.theory.flank import FlankName
 from gearstudio.theory.modified import flank_of
-from ui.charts.raster import drawn_flat, frame, inside, outline, raster
+from ui.charts.raster import drawn_flat, frame, inside, outline, points_flat, raster
 from ui.charts.records import Axis, ChartData, Reference, Series, Table
 from ui.formatting import MEMBER_TITLES, fixed, significant
 from ui.units import small_text
@@ -51,7 +51,7 @@ def patterns(pair: PairGeometry, side: FlankContact) -> tuple[PatternMap, Patter
 def flank_edge(member: MemberGeometry, name: FlankName) -> Floats:
     """The border of a flank drawn flat, shape (n, 2)."""
     grid = flank_of(member, name).points(*np.ix_(np.linspace(0, 1, 9), np.linspace(0, 1, 25)))
-    return outline(*_flat(grid, member.pitch_angle))
+    return outline(*points_flat(grid, member.pitch_angle))
 
 
 def pattern_title(pattern: FlankPattern) -> str:
@@ -71,13 +71,8 @@ def _pattern(pair: PairGeometry, pattern: FlankPattern, path: Floats) -> Pattern
         np.where(inside(edge, RASTER, extent), image, np.nan),
         extent,
         edge,
-        np.stack(_flat(path, member.pitch_angle), axis=-1),
+        np.stack(points_flat(path, member.pitch_angle), axis=-1),
     )
-
-
-def _flat(points: Floats, pitch_angle: float) -> tuple[Floats, Floats]:
-    radius = np.hypot(points[..., 0], points[..., 1])
-    return drawn_flat(np.hypot(radius, points[..., 2]), np.arctan2(radius, points[..., 2]), pitch_angle)
 
 
 def error_chart(side: FlankContact) -> ChartData:

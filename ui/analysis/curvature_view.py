@@ -15,7 +15,7 @@ from gearstudio.theory.cones import MemberGeometry
 from gearstudio.theory.flank import Flank
 from gearstudio.theory.modified import flank_of
 from ui.charts.maps import FlankMap, MapData, Scale
-from ui.charts.raster import drawn_flat, frame, inside, outline, raster
+from ui.charts.raster import frame, inside, outline, points_flat, raster
 from ui.charts.records import Table
 from ui.charts.scales import diverging, sequential
 from ui.formatting import METHOD_TITLES, number
@@ -110,9 +110,7 @@ def _curvature(result: VariantResult, flank: Flank, wanted: Wanted) -> Curvature
 
 
 def _drawn(member: MemberGeometry, title: str, points: Floats, values: Floats, unit: str) -> FlankMap:
-    radius = np.hypot(points[..., 0], points[..., 1])
-    rho = np.hypot(radius, points[..., 2])
-    x, y = drawn_flat(rho, np.arctan2(radius, points[..., 2]), member.pitch_angle)
+    x, y = points_flat(points, member.pitch_angle)
     edge = outline(x, y)
     extent = frame(edge)
     image = np.where(inside(edge, RASTER, extent), raster(x, y, values, RASTER, extent), np.nan)

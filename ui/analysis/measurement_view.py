@@ -13,7 +13,7 @@ from gearstudio.theory.flank import FLANKS, FlankName
 from gearstudio.theory.modified import flank_of
 from ui.analysis.measurement_data import ALL_TEETH, Measurement
 from ui.charts.maps import FlankMap, Line, MapData
-from ui.charts.raster import drawn_flat, frame, outline
+from ui.charts.raster import frame, outline, points_flat
 from ui.charts.records import Axis, ChartData, Entry, Series, Table
 from ui.formatting import fixed, micrometres
 from ui.units import small_text
@@ -73,9 +73,7 @@ def _net(nodes: Floats) -> Floats:
 
 def _tilted(member: MemberGeometry, points: Floats) -> tuple[Floats, Floats]:
     """Places on the flank drawn flat and seen aslant, as a floor on which bars stand."""
-    radius = np.hypot(points[..., 0], points[..., 1])
-    polar = np.arctan2(radius, points[..., 2])
-    x, y = drawn_flat(np.hypot(radius, points[..., 2]), polar, member.pitch_angle)
+    x, y = points_flat(points, member.pitch_angle)
     depth = member.addendum + member.dedendum
     return x + SHEAR * member.face_width * y / depth, TILT * member.face_width * y / depth
 

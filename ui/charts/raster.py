@@ -5,6 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from gearstudio.theory.vectors import spherical
+
 Floats = NDArray[np.float64]
 
 
@@ -12,6 +14,11 @@ def drawn_flat(rho: Floats, polar_angle: Floats, pitch_angle: float) -> tuple[Fl
     """Place along the pitch cone's element and height above it [mm], of the shape given; angles in radians."""
     lean = polar_angle - pitch_angle
     return rho * np.cos(lean), rho * np.sin(lean)
+
+
+def points_flat(points: Floats, pitch_angle: float) -> tuple[Floats, Floats]:
+    """`drawn_flat` of points, shape (..., 3)."""
+    return drawn_flat(*spherical(points)[:2], pitch_angle)
 
 
 def frame(edge: Floats) -> tuple[float, ...]:
