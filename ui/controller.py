@@ -78,7 +78,7 @@ class Controller(QObject):
         """The core is loaded: judge the default design, or open a file."""
         self.window.layer_panel.fill()
         if self.session.pair is None:
-            self.session.load(self.session.design)
+            self.session.restore(self.session.draft)
         else:
             self.session.announce()
         if name is not None:

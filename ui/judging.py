@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from gearstudio.theory.cones import PairGeometry
 
 AT_ONCE_S = 0.01
-"""What is judged in this time is there when the edit ends."""
+"""What is judged in this time is there when the edit of a field ends."""
 
 _PATIENCE_S = 0.3
 """Longest search for remedies after an edit [s]."""
@@ -83,10 +83,9 @@ class Judging(QObject):
         self._work.failed.connect(lambda case, *_: self.judged.emit(case))
 
     def take(self, draft: Mapping[str, Any]) -> Case:
-        """A case for a draft, judged already where that is quick."""
+        """A case for a draft, to be judged next."""
         case = Case(draft)
         self._work.request(case, case.work)
-        case.wait(AT_ONCE_S)
         return case
 
     def close(self) -> None:

@@ -12,7 +12,7 @@ from PySide6.QtCore import QObject, Signal
 from gearstudio.catalogue import METHOD_IDS, VARIANTS
 from gearstudio.design import Design, design_mapping
 from gearstudio.errors import Issue
-from ui.judging import judge
+from ui.judging import AT_ONCE_S, judge
 from ui.words import tr
 
 if TYPE_CHECKING:
@@ -116,7 +116,7 @@ class Session(QObject):
         if field in self.draft and _same(self.draft[field], value):
             return
         self.draft[field] = value
-        self._judge()
+        self._judge(AT_ONCE_S)
         self.document_changed.emit()
 
     def load(self, design: Design, path: Path | None = None, *, saved: bool = True, read_only: bool = False) -> None:
@@ -206,13 +206,14 @@ class Session(QObject):
             self.building = None
         self.results_changed.emit(key)
 
-    def _judge(self) -> None:
+    def _judge(self, patience_s: float = 0.0) -> None:
         if self._judging is None:
             self._take(judge(nest(self.draft)))
             return
         self._case = self._judging.take(nest(self.draft))
-        if self._case.verdict is not None:
-            self._take(self._case.verdict)
+        verdict = self._case.wait(patience_s)
+        if verdict is not None:
+            self._take(verdict)
 
     def _on_judged(self, case: Case) -> None:
         """The newest case counts; one that broke down does so again here, where it is told."""

@@ -41,6 +41,7 @@ def session(qapp, gate: threading.Event) -> Iterator[Session]:
     judging = Judging()
     made = Session(judging=judging)
     made.load(Design())
+    made.settle()
     yield made
     gate.set()
     judging.close()
