@@ -6,55 +6,46 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QSize, QTimer
+from PySide6.QtCore import QSize
 from PySide6.QtGui import QImage
 from PySide6.QtWidgets import (
-    QDialog,
-    QFileDialog,
     QFormLayout,
     QHBoxLayout,
     QLabel,
-    QProgressBar,
     QPushButton,
-    QVBoxLayout,
 )
 
 from gearstudio.errors import FileError
 from ui.analysis.background import Newest
 from ui.views.film import Film
 from ui.views.motions import Motion
-from ui.views.pictures import PictureOptions, Steps, painted, stand_in
+from ui.views.painting_dialog import PaintingDialog
+from ui.views.pictures import PictureOptions, painted
 from ui.views.quiet import QuietChoice, QuietSlider
 from ui.words import told, tr
 
 if TYPE_CHECKING:
     from ui.camera import Camera
     from ui.main_window import MainWindow
-    from ui.view_grid import ViewGrid
 
 SIZES = ((640, 480), (1280, 720), (1920, 1080), (1080, 1080))
 RATES = (12, 25, 30, 50)
 FILTER = "MP4 (*.mp4);;GIF (*.gif)"
 
 
-class FilmDialog(QDialog):
+class FilmDialog(PaintingDialog):
     """Films a stand-in of the views, so that one can go on working; Cancel leaves no file."""
 
     def __init__(self, window: MainWindow, folder: str, motions: Sequence[Motion]) -> None:
-        super().__init__(window)
-        self._window, self._folder, self._motions = window, folder, {motion.id: motion for motion in motions}
-        self._copy: ViewGrid | None = None
+        super().__init__(window, folder, tr("Film"))
+        self._motions = {motion.id: motion for motion in motions}
         self._film: Film | None = None
-        self._steps: Steps | None = None
         self._looks: list[Camera] = []
         self._path = Path()
         self._frame = self._frames = 0
         self._closing = Newest("film", self)
         self._closing.done.connect(lambda path, _found: self._on_written(path))
         self._closing.failed.connect(lambda _path, text, _details: self._fail(text))
-        self._timer = QTimer(self, interval=0)
-        self._timer.timeout.connect(self._advance)
-        self.setWindowTitle(tr("Film"))
         rows = [(motion.id, motion.title) for motion in motions]
         self.motion = QuietChoice(rows, tr("Motion"), tr("What moves in the film"))
         self.motion.show_choice(rows[-1][0])
@@ -67,11 +58,9 @@ class FilmDialog(QDialog):
         self.frame_size.setCurrentIndex(1)
         self._state = QLabel()
         self._state.setProperty("role", "muted")
-        self._bar = QProgressBar()
-        self._bar.setTextVisible(False)
-        self._lay_out()
+        self._lay_out(self._make_form(), self._make_buttons())
 
-    def _lay_out(self) -> None:
+    def _make_form(self) -> QFormLayout:
         form = QFormLayout()
         for title, widget in (
             (tr("Motion"), self.motion),
@@ -80,7 +69,10 @@ class FilmDialog(QDialog):
             (tr("Size"), self.frame_size),
         ):
             form.addRow(title, widget)
-        self._save = QPushButton(tr("Save…"))
+        return form
+
+    def _make_buttons(self) -> QHBoxLayout:
+        self._save = QPushButton(tr("&Save…"))
         self._save.setToolTip(tr("Save as .mp4 or .gif"))
         self._save.setDefault(True)
         self._save.clicked.connect(self._on_save)
@@ -91,21 +83,17 @@ class FilmDialog(QDialog):
         buttons.addWidget(self._state, 1)
         buttons.addWidget(self._save)
         buttons.addWidget(cancel)
-        layout = QVBoxLayout(self)
-        layout.addLayout(form)
-        layout.addWidget(self._bar)
-        layout.addLayout(buttons)
+        return buttons
 
     def _on_save(self) -> None:
-        start = str(Path(self._folder) / f"{self.motion.currentData()}.mp4")
-        name, _ = QFileDialog.getSaveFileName(self, tr("Save film"), start, FILTER)
-        if name:
-            self.begin(Path(name) if Path(name).suffix else Path(name + ".mp4"))
+        path = self._ask_for_file(tr("Save film"), f"{self.motion.currentData()}.mp4", FILTER)
+        if path is not None:
+            self.begin(path)
 
     def begin(self, path: Path) -> None:
         """Film into a file."""
-        grid, bar = self._window.area.grid, self._window.area.color_bar
-        assert grid is not None and bar is not None
+        bar = self._window.area.color_bar
+        assert bar is not None
         width, height = self.frame_size.currentData()
         try:
             self._film = Film(path, (width, height), self.rate.currentData())
@@ -114,8 +102,7 @@ class FilmDialog(QDialog):
             return
         self._path = path
         beside = bar.sizeHint().width() if bar.isVisible() else 0
-        self._copy = stand_in(grid, QSize(width - beside, height))
-        self._looks = list(self._copy.viewport.looks)
+        self._looks = list(self._stand_in(QSize(width - beside, height)).viewport.looks)
         self._frame, self._frames = 0, self.seconds.slider.value() * self.rate.currentData()
         self._bar.setRange(0, self._frames)
         for widget in (self._save, self.motion, self.seconds, self.rate, self.frame_size):
@@ -156,23 +143,17 @@ class FilmDialog(QDialog):
             self._film = None
 
     def _on_written(self, path: Path) -> None:
-        self._window.messages.show_message("info", tr("Saved the film as {path}", path=path), topic="file")
+        self._say("info", tr("Saved the film as {path}", path=path))
         self.accept()
 
     def _fail(self, text: str) -> None:
-        self._window.messages.show_message("error", text, topic="file")
+        self._say("error", text)
         self.reject()
 
     def done(self, result: int) -> None:
         """Give up what is being filmed."""
-        self._timer.stop()
-        self._steps = None
         if self._film is not None:
             self._film.give_up()
             self._film = None
-        if self._copy is not None:
-            self._copy.close_views()
-            self._copy.deleteLater()
-            self._copy = None
         self._closing.close()
         super().done(result)
