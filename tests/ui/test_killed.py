@@ -118,10 +118,13 @@ def make_and_look(argv):
     return application
 def look():
     dialog = next((w for w in QApplication.allWidgets() if isinstance(w, RecoveryDialog) and w.isVisible()), None)
-    if dialog is not None:
-        row, window = dialog.list.topLevelItem(0), dialog.parent()
+    application = QApplication.instance()
+    window = getattr(application, "recovering", None)
+    if dialog is not None and window is None:
+        row, application.recovering = dialog.list.topLevelItem(0), dialog.parent()
         print([row.text(column) for column in range(3)])
         dialog.recover.click()
+    elif window is not None and window.isWindowModified():
         print(window.windowTitle(), window.isWindowModified())
         window.may_close = lambda: True
         window.close()

@@ -9,8 +9,9 @@ TEETH = "pair.pinion_teeth"
 
 
 def complete(studio: Studio) -> bool:
-    """Whether there are views, and all that they are to show is built."""
+    """Whether there are views, and all that they are to show of what was typed last is built."""
     session = studio.session
+    session.settle()
     return studio.window.area.grid is not None and session.pair is not None and not session.missing_keys()
 
 
