@@ -17,6 +17,7 @@ from gearstudio.theory.cones import pair_geometry
 from gearstudio.theory.pair import placement
 from gearstudio.theory.place import Place
 from tests.kernel.test_gear_pair import CHORD, Body
+from tests.theory.hypoid.pairs import in_world
 from tests.volume import gear_volume
 
 pytestmark = pytest.mark.kernel
@@ -121,7 +122,7 @@ def test_the_exported_pair_stands_in_the_world(tmp_path: Path) -> None:
         assert max(face.largest_um for face in flanks) < 0.1
     hypoid = pair_geometry(design).hypoid
     assert hypoid is not None
-    points = [hypoid.axes.to_world(Body(design, "pinion").mesh.points)]
+    points = [in_world(hypoid.axes, Body(design, "pinion").mesh.points)]
     points.append(Body(design, "wheel").mesh.points + hypoid.axes.wheel_apex)
     box = np.array([np.min([p.min(axis=0) for p in points], axis=0), np.max([p.max(axis=0) for p in points], axis=0)])
     for file in files:

@@ -142,16 +142,12 @@ def _show_solids(design: Design, args: argparse.Namespace, progress: Progress, g
 
 def _save(grid: ViewGrid, bar: ColorBar, args: argparse.Namespace, path: Path, progress: Progress) -> int:
     from ui.views.picture_files import write_picture
-    from ui.views.pictures import PictureOptions, painted
+    from ui.views.pictures import PictureOptions, at_once, painted
 
     shown = has_scale(args)
     options = PictureOptions(args.scale, args.transparent, not args.no_labels, shown)
-    steps = painted(grid, bar if shown else None, options)
     try:
-        while True:
-            progress("drawing", next(steps))
-    except StopIteration as end:
-        picture = end.value
+        picture = at_once(painted(grid, bar if shown else None, options), lambda done: progress("drawing", done))
     except RuntimeError as error:
         problem(f"{error}; install a software OpenGL (Mesa), or run on a screen")
         return OUR_FAILURE

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Generator
+from collections.abc import Callable, Generator
 from dataclasses import dataclass
 
 from PySide6.QtCore import QPoint, QRectF, QSize, Qt
@@ -123,11 +123,17 @@ def _paint(
         _paint_widget(painter, side, QPoint(size.width(), 0))
 
 
-def at_once(steps: Steps) -> QImage:
-    """The picture of `painted`, without pauses."""
+def at_once(steps: Steps, tell: Callable[[float], object] = lambda done: None) -> QImage:
+    """The picture of `painted`, without pauses; ``tell`` takes how far it is.
+
+    Raises
+    ------
+    RuntimeError
+        As `painted`.
+    """
     while True:
         try:
-            next(steps)
+            tell(next(steps))
         except StopIteration as end:
             return end.value  # type: ignore[no-any-return]
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from math import atan2, cos, sin
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from gearstudio.theory.hypoid.pitch import PitchCones
 from gearstudio.theory.vectors import about_axis
@@ -72,11 +72,6 @@ class Axes:
     def wheel_placement(self, wheel_teeth: int, turn: float = 0.0) -> tuple[Floats, Floats]:
         """Matrix and shift that take wheel points to the world when the wheel has turned by phi_2."""
         return about_axis(self.mean_azimuth + np.pi / wheel_teeth + turn), self.wheel_apex
-
-    def to_world(self, points: ArrayLike, turn: float = 0.0) -> Floats:
-        """Pinion points in the world, shape (..., 3)."""
-        matrix, shift = self.pinion_placement(turn)
-        return np.asarray(np.asarray(points, dtype=np.float64) @ matrix.T + shift)
 
 
 def placed(cones: PitchCones, wheel_hand: int) -> Axes:

@@ -9,9 +9,11 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from gearstudio.errors import GeometryError
 from gearstudio.theory.flank import FLANKS
+from gearstudio.theory.hypoid.axes import Axes
 from gearstudio.theory.hypoid.conjugate import pinion_flank, wheel_flank
 from gearstudio.theory.hypoid.inputs import DepthInput, HypoidError, HypoidInput, MemberName
 from gearstudio.theory.hypoid.pair import HypoidPair, hypoid_pair
@@ -88,6 +90,12 @@ def least_top_land(pair: HypoidPair, name: MemberName) -> float:
         edge = (wheel_flank(pair, flank) if name == "wheel" else pinion_flank(pair, flank)).points(1.0, v)
         widths.append(np.hypot(edge[:, 0], edge[:, 1]) * pair.side(name, flank) * np.arctan2(edge[:, 1], edge[:, 0]))
     return float(np.min(widths[0] + widths[1]))
+
+
+def in_world(axes: Axes, points: ArrayLike, turn: float = 0.0) -> np.ndarray:
+    """Points (..., 3) of a pinion that has turned, in the world."""
+    matrix, shift = axes.pinion_placement(turn)
+    return np.asarray(points) @ matrix.T + shift
 
 
 def random_pairs(count: int, seed: int) -> list[HypoidPair]:

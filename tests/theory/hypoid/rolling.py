@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from gearstudio.theory.hypoid.conjugate import pinion_flank, wheel_flank
 from gearstudio.theory.hypoid.pair import HypoidPair
 from gearstudio.theory.involute_flank import InvoluteFlank
+from tests.theory.hypoid.pairs import in_world
 
 Floats = NDArray[np.float64]
 ARCSEC = np.pi / 180 / 3600
@@ -36,7 +37,7 @@ def lag(pair: HypoidPair, wheel: InvoluteFlank, points: Floats, turn: float) -> 
 
     Points outside the wheel's tooth get infinity.
     """
-    world = pair.axes.to_world(points, turn)
+    world = in_world(pair.axes, points, turn)
     matrix, shift = pair.axes.wheel_placement(pair.given.wheel_teeth, -turn / pair.ratio)
     rho, delta, phi = wheel.locate((world - shift) @ matrix)
     member, side = wheel.member, wheel.side

@@ -14,7 +14,7 @@ from gearstudio.theory.hypoid.inputs import HypoidError, HypoidInput
 from gearstudio.theory.hypoid.method1 import method_0, method_1
 from gearstudio.theory.hypoid.pair import hypoid_pair
 from gearstudio.theory.hypoid.pitch import PitchCones, trace_curvature
-from tests.theory.hypoid.pairs import AXLE, PAIRS, REFERENCE, Record, reference_input
+from tests.theory.hypoid.pairs import AXLE, PAIRS, REFERENCE, Record, in_world, reference_input
 
 ANGLES = {"delta1", "delta2", "beta1", "beta2", "zeta", "zetap", "eta", "alim"}
 
@@ -164,12 +164,12 @@ def test_misalignment(given: HypoidInput, hand: str) -> None:
     assert away.crossing[1] * given.wheel_hand * (-1 if hand != given.pinion_hand else 1) == pytest.approx(
         given.offset + 0.3
     )
-    assert away.to_world(point, 0.7) - axes.to_world(point, 0.7) == pytest.approx(away.crossing - axes.crossing)
+    assert in_world(away, point, 0.7) - in_world(axes, point, 0.7) == pytest.approx(away.crossing - axes.crossing)
     away = pair.misaligned(0.0, 0.2, 0.0, 0.0)
-    assert away.to_world(point, 0.7) - axes.to_world(point, 0.7) == pytest.approx(0.2 * axes.pinion_axis)
+    assert in_world(away, point, 0.7) - in_world(axes, point, 0.7) == pytest.approx(0.2 * axes.pinion_axis)
     away = pair.misaligned(0.0, 0.0, 0.2, 0.0)
-    assert away.to_world(point, 0.7) - axes.to_world(point, 0.7) == pytest.approx([0.0, 0.0, -0.2])
+    assert in_world(away, point, 0.7) - in_world(axes, point, 0.7) == pytest.approx([0.0, 0.0, -0.2])
     away = pair.misaligned(0.0, 0.0, 0.0, 0.01)
     assert np.arccos(away.pinion_axis[2]) == pytest.approx(pair.cones.shaft_angle + 0.01)
     assert away.crossing == pytest.approx(axes.crossing)
-    assert away.to_world([0.0, 0.0, 5.0], 0.7) - away.pinion_apex == pytest.approx(5 * away.pinion_axis)
+    assert in_world(away, [0.0, 0.0, 5.0], 0.7) - away.pinion_apex == pytest.approx(5 * away.pinion_axis)
