@@ -19,7 +19,10 @@ INCH_EXTRA = 2
 """Further decimals in inches: an inch has 25 times as much in a digit."""
 
 
-_MILLIMETRES = re.compile(r"(?<![\w.])([-−]?\d+(?:\.\d+)?) mm(?!\w|\.\w)")
+_MILLIMETRES = re.compile(
+    r"“[^“”\n]*”|„[^„“\n]*“"  # a line of a file
+    r"|(?<![\w.])(?P<size>[-−]?\d+(?:\.\d+)?) mm(?!\w|\.\w)"
+)
 
 
 @dataclass(frozen=True)
@@ -106,12 +109,17 @@ def per_length(unit: str) -> tuple[str, float]:
 
 
 def in_sentence(text: str) -> str:
-    """A sentence in which lengths in mm become inches where lengths are shown so, with two digits more."""
+    """A sentence in which lengths in mm become inches where lengths are shown so, with two digits more.
+
+    What stands in quotes, as a line of a file, stays as it is.
+    """
     if factor("mm") == 1:
         return text
 
     def converted(found: re.Match[str]) -> str:
-        number = found[1].replace("−", "-")
+        if found["size"] is None:
+            return found[0]
+        number = found["size"].replace("−", "-")
         digits = len(number.replace(".", "").lstrip("-0")) + 2
         shown = f"{float(number) / MM_PER_INCH:.{digits}g}"
         return f"{shown if 'e' not in shown else fixed(float(shown), 9)} {_shown.length}"

@@ -113,6 +113,11 @@ def test_sentences_of_the_core_are_converted(value) -> None:
     assert in_sentence("use 3 mm") == "use 3 mm"
 
 
+def test_a_line_of_a_file_stays_in_its_unit(inches) -> None:
+    for line in ("line 3, “face_width = 25.4 mm”: ", "Zeile 3, „face_width = 25.4 mm“: "):
+        assert in_sentence(f"{line}25.4 mm is too much") == f"{line}1 in is too much"
+
+
 def test_limits_at_a_field_are_in_inches(inches: None) -> None:
     module = all_field_specs()["pair.outer_module"]
     said = [problem_text(field_issue(module, value).message, module) for value in (254.0, 0, "x")]
