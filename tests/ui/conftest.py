@@ -18,6 +18,7 @@ from ui import units
 from ui.app import Studio, prepare_qt
 from ui.collecting import Collector
 from ui.habits import Habits
+from ui.language import Language
 from ui.theme import Theme
 from ui.units import Display
 
@@ -161,3 +162,16 @@ def view(grid):
     from ui.solid_view import SolidView
 
     return SolidView(grid)
+
+
+@pytest.fixture
+def speak(qapp: QApplication) -> Iterator[Callable[[str], None]]:
+    """Changes the language that the application speaks, for this test."""
+    language = Language(qapp, "en")
+    yield language.speak
+    language.speak("en")
+
+
+@pytest.fixture
+def german(speak: Callable[[str], None]) -> None:
+    speak("de")
