@@ -58,7 +58,6 @@ def write_flanks_step(
         The kernel could not write the file.
     """
     settle()
-    choose_step(options.step_schema, options.step_unit)
     document = TDocStd_Document(TCollection_ExtendedString("XmlXCAF"))
     shapes = XCAFDoc_DocumentTool.ShapeTool_s(document.Main())
     part, builder = TopoDS_Compound(), BRep_Builder()
@@ -70,12 +69,22 @@ def write_flanks_step(
     set_name(label, name)
     for face_name, face in faces.items():
         set_name(shapes.AddSubShape(label, face), face_name)
+    if not save_step(path, document, options):
+        raise not_written(path, "step")
+
+
+def save_step(path: Path, document: TDocStd_Document, options: ExportOptions, names: bool = True) -> bool:
+    """Write a document with its colours; whether the kernel did."""
+    Interface_Static.SetIVal_s("write.step.schema", _SCHEMAS[options.step_schema])
+    Interface_Static.SetCVal_s("write.step.unit", _UNITS[options.step_unit])
     writer = STEPCAFControl_Writer()
-    writer.SetNameMode(True)
+    writer.SetNameMode(names)
+    writer.SetColorMode(options.colors)
     writer.Transfer(document, STEPControl_StepModelType.STEPControl_AsIs)
     if writer.Write(str(path)) != IFSelect_ReturnStatus.IFSelect_RetDone:
-        raise not_written(path, "step")
-    name_measures(path)
+        return False
+    _name_measures(path)
+    return True
 
 
 def not_written(path: Path, format_: str) -> FileError:
@@ -127,13 +136,7 @@ def settle() -> None:
     Interface_Static.SetIVal_s("read.stepcaf.subshapes.name", 1)
 
 
-def choose_step(schema: str, unit: str) -> None:
-    """The schema ("ap242", "ap214", "ap203") and unit ("mm", "inch") of the STEP files that are written next."""
-    Interface_Static.SetIVal_s("write.step.schema", _SCHEMAS[schema])
-    Interface_Static.SetCVal_s("write.step.unit", _UNITS[unit])
-
-
-def name_measures(path: Path) -> None:
+def _name_measures(path: Path) -> None:
     """Give the factor of a converted unit its type, which a choice among measures needs and the kernel leaves out."""
     text = path.read_bytes()
     named = _BARE_MEASURE.sub(rb"\1(LENGTH_MEASURE(\2),", text)

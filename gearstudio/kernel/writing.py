@@ -7,17 +7,14 @@ from pathlib import Path
 
 from OCP.BinTools import BinTools
 from OCP.BRepTools import BRepTools
-from OCP.IFSelect import IFSelect_ReturnStatus
 from OCP.IGESCAFControl import IGESCAFControl_Writer
 from OCP.IGESControl import IGESControl_Controller
 from OCP.Interface import Interface_Static
-from OCP.STEPCAFControl import STEPCAFControl_Writer
-from OCP.STEPControl import STEPControl_StepModelType
 
 from gearstudio.formats import ExportOptions
 from gearstudio.kernel.cutting import compound
 from gearstudio.kernel.document import Part, located, make_document
-from gearstudio.kernel.step import choose_step, name_measures, not_written, settle
+from gearstudio.kernel.step import not_written, save_step, settle
 
 _UNITS = {"mm": "MM", "inch": "INCH"}
 _IGES_BODIES = {"surfaces": 0, "solid": 1}
@@ -48,15 +45,7 @@ def write_solids(path: Path, name: str, made: Sequence[Part], format_: str, opti
 
 
 def _write_step(path: Path, name: str, made: Sequence[Part], options: ExportOptions) -> bool:
-    choose_step(options.step_schema, options.step_unit)
-    writer = STEPCAFControl_Writer()
-    writer.SetNameMode(options.names)
-    writer.SetColorMode(options.colors)
-    writer.Transfer(make_document(name, made, options.names), STEPControl_StepModelType.STEPControl_AsIs)
-    if writer.Write(str(path)) != IFSelect_ReturnStatus.IFSelect_RetDone:
-        return False
-    name_measures(path)
-    return True
+    return save_step(path, make_document(name, made, options.names), options, options.names)
 
 
 def _write_iges(path: Path, name: str, made: Sequence[Part], options: ExportOptions) -> bool:
