@@ -9,7 +9,7 @@ from math import asin, degrees, floor, log10, pi, sin
 
 from gearstudio.theory.hypoid.exact import STEEPEST_WHEEL, exact_cones
 from gearstudio.theory.hypoid.inputs import DepthInput, HypoidError, HypoidInput
-from gearstudio.theory.hypoid.method1 import bevel_angles
+from gearstudio.theory.hypoid.method1 import bevel_pitch_angles
 from gearstudio.theory.hypoid.pitch import PitchCones
 
 _BISECTIONS = 24
@@ -45,7 +45,7 @@ def _of_size(given: HypoidInput) -> PitchCones:
 
 
 def _refuse_flat_wheel(given: HypoidInput) -> None:
-    pinion, wheel = bevel_angles(given)
+    pinion, wheel = bevel_pitch_angles(given)
     if not 0 < pinion < pi / 2 or wheel >= STEEPEST_WHEEL:
         # d2 = S - d1 reaches the limit where sin(S - d2) = sin(d2) / u
         limit = degrees(STEEPEST_WHEEL + asin(min(1.0, sin(STEEPEST_WHEEL) / given.ratio)))

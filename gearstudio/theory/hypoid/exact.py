@@ -6,7 +6,7 @@ from collections.abc import Callable
 from math import asin, copysign, cos, isnan, nan, pi, radians, sin
 
 from gearstudio.theory.hypoid.inputs import HypoidInput
-from gearstudio.theory.hypoid.method1 import bevel_angles, method_0
+from gearstudio.theory.hypoid.method1 import bevel_pitch_angles, method_0
 from gearstudio.theory.hypoid.pitch import PitchCones, Touching, assemble, trace_curvature
 
 STEEPEST_WHEEL = radians(88.0)
@@ -28,7 +28,7 @@ def exact_cones(given: HypoidInput) -> PitchCones | None:
     if given.offset == 0:
         return method_0(given)
     if abs(given.offset) < _TINY_OFFSET * given.wheel_outer_pitch_diameter:
-        return _at(given, bevel_angles(given)[1])
+        return _at(given, bevel_pitch_angles(given)[1])
 
     def excess(wheel: float) -> float:
         cones = _at(given, wheel)
@@ -42,7 +42,7 @@ def exact_cones(given: HypoidInput) -> PitchCones | None:
     values = [excess(place) for place in places]
     roots = [_root(excess, places[k], places[k + 1]) for k in range(_SCAN) if values[k] * values[k + 1] <= 0]
     found = [cones for root in roots if (cones := _at(given, root)) is not None and abs(excess(root)) < 1e-6]
-    expected = bevel_angles(given)[1]
+    expected = bevel_pitch_angles(given)[1]
     return min(found, key=lambda cones: abs(cones.wheel.angle - expected), default=None)
 
 

@@ -2,24 +2,23 @@
 
 from __future__ import annotations
 
-from math import asin, atan, atan2, cos, pi, sin, tan
+from math import asin, atan, cos, pi, sin, tan
 
+from gearstudio.theory.cones import pitch_angles
 from gearstudio.theory.hypoid.inputs import HypoidError, HypoidInput
 from gearstudio.theory.hypoid.pitch import PitchCones, Touching, assemble
 
 _SCAN = 60
 
 
-def bevel_angles(given: HypoidInput) -> tuple[float, float]:
+def bevel_pitch_angles(given: HypoidInput) -> tuple[float, float]:
     """Pitch cone angles of the same teeth without offset [rad]."""
-    shaft = given.shaft_angle_deg * pi / 180
-    pinion = atan2(sin(shaft), given.ratio + cos(shaft))
-    return pinion, shaft - pinion
+    return pitch_angles(given.pinion_teeth, given.wheel_teeth, given.shaft_angle_deg * pi / 180)
 
 
 def method_0(given: HypoidInput) -> PitchCones:
     """Cones of a bevel pair: a = 0, one apex, one spiral angle, the mean point in the middle of the face."""
-    pinion, wheel = bevel_angles(given)
+    pinion, wheel = bevel_pitch_angles(given)
     spiral = given.spiral_angle_deg * pi / 180
     radius = given.wheel_outer_pitch_diameter / 2 - given.face_width / 2 * sin(wheel)
     return assemble(given, Touching(pinion, wheel, spiral, spiral, 0.0, 0.0), radius)
