@@ -39,6 +39,7 @@ class ColorBar(ColorScale):
         self._auto = QToolButton(self, text=tr("Auto"), checkable=True, checked=True, autoRaise=True)
         self._auto.setToolTip(tr("Let the range follow the values shown"))
         self._auto.setAccessibleName(tr("Automatic range"))
+        self._auto.setObjectName("automatic")
         self._auto.toggled.connect(self._on_automatic)
         self._editor = RangeEditor(self)
         self._editor.typed.connect(self._on_typed)
@@ -144,6 +145,9 @@ class ColorBar(ColorScale):
         self._drag = None
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
+        self._type_range()
+
+    def _type_range(self) -> None:
         unit, factor = self._shown_unit()
         low, high = (end * factor for end in self._range)
         self._editor.open_at(self.mapToGlobal(QPoint(0, 8)), low, high, unit, self._quantity.symmetric)
@@ -160,14 +164,20 @@ class ColorBar(ColorScale):
         event.accept()
 
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
+        menu = self.make_menu()
+        menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        menu.popup(event.globalPos())
+
+    def make_menu(self) -> QMenu:
+        """Where the scale ends."""
         menu = QMenu(self)
         automatic = QAction(tr("Automatic range"), menu, checkable=True, checked=self.automatic)
         automatic.toggled.connect(self.set_automatic)
         menu.addAction(automatic)
+        menu.addAction(tr("Type the range…"), self._type_range)
         if self._quantity.is_deviation:
             menu.addSeparator()
             for limit in (0.01, 0.05, 0.1, 0.5, 1.0, 5.0, 10.0, 50.0, 100.0):
                 text = colormap.deviation_text(limit, signed=False, unit=self._unit)
                 menu.addAction(f"±{text}", lambda value=limit: self.set_limit(value))
-        menu.exec(event.globalPos())
-        menu.deleteLater()
+        return menu

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QDockWidget, QTabBar, QWidget
+from PySide6.QtCore import QEvent, QObject, Qt
+from PySide6.QtWidgets import QDialog, QDockWidget, QTabBar, QWidget
 
 from ui.words import tr
 
@@ -25,6 +25,25 @@ def tab_in_order(parts: Iterable[QWidget]) -> None:
     way = list(dict.fromkeys(one for part in parts if part.isVisible() for one in stops(part)))
     for before, after in pairwise(way):
         QWidget.setTabOrder(before, after)
+
+
+class _AsRead(QObject):
+    """Gives a dialog its order whenever it is shown, which the style has a say in."""
+
+    def __init__(self, dialog: QDialog, parts: Sequence[QWidget]) -> None:
+        super().__init__(dialog)
+        self._parts = parts
+        dialog.installEventFilter(self)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.Show:
+            tab_in_order(self._parts)
+        return False
+
+
+def tab_as_read(dialog: QDialog, *parts: QWidget) -> None:
+    """Let Tab go through a dialog, or parts of it, as one reads them; where buttons stand the style says."""
+    _AsRead(dialog, parts or (dialog,))
 
 
 def lay_way(window: MainWindow) -> None:

@@ -18,8 +18,9 @@ from PySide6.QtWidgets import (
 )
 
 from ui.fields import set_severity
+from ui.keyboard import tab_as_read
 from ui.theme import icon, set_icon
-from ui.words import told, tr
+from ui.words import Said, told, tr
 
 
 class MessageBar(QFrame):
@@ -88,6 +89,7 @@ class MessageBar(QFrame):
         self.topic = topic
         self._severity = severity
         self._shown = (severity, text, details, topic)
+        details = details.again() if isinstance(details, Said) else details
         self._full = f"{told(text)}\n\n{details}" if details else told(text)
         self._text.setText(told(text))
         self._details.setPlainText(details)
@@ -154,6 +156,7 @@ class ReportDialog(QDialog):
         layout.addWidget(head)
         layout.addWidget(text, 1)
         layout.addWidget(buttons)
+        tab_as_read(self, text, buttons)
 
 
 def _flat_button(text: str) -> QPushButton:

@@ -17,6 +17,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from ui.keyboard import tab_as_read
 from ui.keys import Keys
 from ui.keys_page import KeysPage
 from ui.preferences import (
@@ -70,13 +71,14 @@ class PreferencesDialog(QDialog):
         layout.setSpacing(12)
         layout.addWidget(self.tabs, 1)
         layout.addWidget(buttons)
+        tab_as_read(self, buttons)
         preferences.changed.connect(self._on_changed)
         self._show(preferences.choices)
 
     def _display_page(self) -> QWidget:
         page, form = _page()
         self._choice(form, "length", tr("Lengths in"), UNITS, tr("Shown and typed in this unit; files stay in mm"))
-        _note(form, tr("A value with another unit can always be typed: 3in, 76.2mm."))
+        _note(form, tr("A value with another unit can always be typed: 3in, {length}mm.", length=76.2))
         _note(form, tr("Deviations stay in µm and nm; the colour scale of the views has µin as well."))
         box = self._number(form, "decimals", tr("Decimals"), 0, MOST_DECIMALS, "")
         box.setSpecialValueText(tr("Automatic"))

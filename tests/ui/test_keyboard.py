@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Iterator
+from itertools import groupby
 
 import pytest
 from PySide6.QtCore import QPoint, Qt
@@ -24,11 +25,13 @@ from PySide6.QtWidgets import (
 from gearstudio.design import Design, with_field
 from gearstudio.presets import PRESETS
 from gearstudio.project import save_design
+from tests.ui.dialogs import backups_dialog, film_dialog, picture_dialog, recovery_dialog
 from tests.ui.stand_ins import Bench
 from ui.export_dialog import ExportDialog
 from ui.habits import Habits
 from ui.help.equations import EquationBrowser
 from ui.help.guide import GuideWindow
+from ui.keyboard import stops
 from ui.language import Language
 from ui.messages import ReportDialog
 from ui.palette import Palette
@@ -50,6 +53,10 @@ DIALOGS: dict[str, Make] = {
     "guide": lambda bench, _: GuideWindow(bench.window),
     "equations": lambda bench, _: EquationBrowser(bench.session, bench.window),
     "compare": lambda bench, _: CompareDialog(bench.session, (), "/tmp", bench.window),
+    "recovery": lambda bench, _: recovery_dialog(bench),
+    "backups": lambda bench, _: backups_dialog(bench),
+    "picture": lambda bench, _: picture_dialog(bench),
+    "film": lambda bench, _: film_dialog(bench),
 }
 
 
@@ -142,6 +149,27 @@ def test_tab_comes_by_everything_in_a_dialog_once(dialog: QDialog) -> None:
             dialog.tabs.setCurrentIndex(page)
         way = walk(dialog)
         assert set(way) == reachable(dialog) and len(way) == len(set(way))
+
+
+def test_tab_goes_through_a_dialog_as_one_reads_it(dialog: QDialog, qtbot) -> None:
+    if isinstance(dialog, ExportDialog | ReportMaker):
+        return  # two columns, the left one first
+    qtbot.wait(50)
+    way = walk(dialog)
+    read = [one for one in stops(dialog) if one in way]
+    start = way.index(read[0])
+    assert way[start:] + way[:start] == read
+
+
+def test_tab_goes_through_the_chapters_first_and_the_pages_next(bench: Bench, qtbot) -> None:
+    dialog = ReportMaker("name", "wheel", "/tmp", bench.window)
+    qtbot.addWidget(dialog)
+    dialog.show()
+    qtbot.waitExposed(dialog)
+    way = walk(dialog)
+    start = way.index(next(iter(dialog._boxes.values())))
+    kinds = [kind for kind, _ in groupby(type(one).__name__ for one in way[start:] + way[:start])]
+    assert kinds == ["QCheckBox", "QComboBox", "QPushButton", "PagesView", "QPushButton"]
 
 
 def test_a_dialog_opens_on_its_main_button_and_closes_on_escape(dialog: QDialog, qtbot) -> None:

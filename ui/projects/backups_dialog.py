@@ -19,6 +19,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from ui.keyboard import tab_as_read
 from ui.projects.backups import Backup, Backups
 from ui.projects.versions import Version, changes, saved_version, short_date
 from ui.words import tr
@@ -67,6 +68,7 @@ class BackupsDialog(QDialog):
         buttons.button(QDialogButtonBox.StandardButton.Close).setToolTip(tr("Close; nothing changes"))
         self.restore = buttons.addButton(tr("&Go back to this one"), QDialogButtonBox.ButtonRole.AcceptRole)
         self.restore.setToolTip(tr("Put it in place of what is open; Undo takes that back. No file is changed."))
+        self.restore.setDefault(True)
         words = QLabel(tr("Each save leaves a copy. Going back changes no file until you save, and can be undone."))
         words.setWordWrap(True)
         layout = QVBoxLayout(self)
@@ -80,6 +82,8 @@ class BackupsDialog(QDialog):
         self.list.currentItemChanged.connect(lambda *_: self._on_current_changed())
         buttons.accepted.connect(self._on_restore)
         buttons.rejected.connect(self.reject)
+        self.list.setFocus()
+        tab_as_read(self)
         self._fill()
 
     def _fill(self) -> None:

@@ -17,6 +17,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from ui.keyboard import tab_as_read
+from ui.mnemonics import separate
 from ui.projects.autosave import Abandoned
 from ui.projects.versions import Change, Version, changes, recovered_version, saved_version
 from ui.words import tr
@@ -66,6 +68,7 @@ class RecoveryDialog(QDialog):
         self.saved = _button(buttons, tr("Open &saved"), tr("Open the file as it was saved; the recovered edits stay"))
         self.discard = _button(buttons, tr("&Discard recovered"), tr("Forget the edits that were not saved"))
         self.later = buttons.addButton(tr("Decide &later"), QDialogButtonBox.ButtonRole.RejectRole)
+        separate((self.recover, self.saved, self.discard, self.later))
         self.later.setToolTip(tr("Keep everything; File ▸ Recover unsaved work, or the next start, asks again"))
         layout = QVBoxLayout(self)
         layout.setContentsMargins(16, 16, 16, 12)
@@ -85,6 +88,8 @@ class RecoveryDialog(QDialog):
             self._add(one)
         self.list.setCurrentIndex(self.list.model().index(0, 0))
         self.recover.setDefault(True)
+        self.list.setFocus()
+        tab_as_read(self)
 
     def versions(self, one: Abandoned) -> tuple[Version, Version]:
         """The saved and the recovered version of a design."""

@@ -24,6 +24,7 @@ from PySide6.QtWidgets import (
 
 from gearstudio.catalogue import MEMBERS
 from gearstudio.report.sections import SECTION_KEYS, SECTIONS
+from ui.keyboard import tab_as_read
 from ui.language import spoken
 from ui.mnemonics import separate
 from ui.preferences import LANGUAGES
@@ -249,6 +250,8 @@ class ReportDialog(QDialog):
         column = QVBoxLayout(self)
         column.addLayout(top, 1)
         column.addLayout(bottom)
+        boxes = self._boxes.values()
+        tab_as_read(self, *boxes, self.member, self.language, self.make, self.stop, self.pages, self.buttons)
 
     def _rest(self, text: str) -> None:
         self.pages.say(text)
