@@ -44,18 +44,6 @@ PRINTED_VALUES = {
 
 
 @pytest.fixture
-def run(capsys: pytest.CaptureFixture[str]) -> Any:
-    """Runs a command; gives its exit status, standard output and lines of standard error."""
-
-    def runner(*argv: object) -> tuple[int, str, list[str]]:
-        status = cli.main([str(word) for word in argv])
-        captured = capsys.readouterr()
-        return status, captured.out, captured.err.splitlines()
-
-    return runner
-
-
-@pytest.fixture
 def bad_design(tmp_path: Path) -> Path:
     path = tmp_path / "bad.gear.toml"
     path.write_text("format = 1\n[pair]\npinion_teeth = 3\nouter_module = 0\n", encoding="utf-8")

@@ -9,25 +9,12 @@ from typing import Any
 import numpy as np
 import pytest
 
-from gearstudio import cli
 from gearstudio.analysis.contact_placing import Misalignment
 from gearstudio.cli.contact import misalignment, thickness
 from gearstudio.cli.numbers import number
 from gearstudio.cli.parser import make_parser
 from gearstudio.design import Design, with_field
 from gearstudio.project import save_design
-
-
-@pytest.fixture
-def run(capsys: pytest.CaptureFixture[str]) -> Any:
-    """Runs a command; gives its exit status, standard output and lines of standard error."""
-
-    def runner(*argv: object) -> tuple[int, str, list[str]]:
-        status = cli.main([str(word) for word in argv])
-        captured = capsys.readouterr()
-        return status, captured.out, captured.err.splitlines()
-
-    return runner
 
 
 @pytest.fixture
