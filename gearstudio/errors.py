@@ -52,6 +52,17 @@ class GeometryError(GearStudioError):
     """An argument outside the range in which the geometry exists."""
 
 
+class FieldError(GeometryError):
+    """A geometry that cannot be made; ``field`` is the name of the entry to change."""
+
+    def __init__(self, field: str, message: str) -> None:
+        self.field, self.reason = field, message
+        super().__init__(message)
+
+    def __reduce__(self) -> tuple[type, tuple[str, str]]:
+        return type(self), (self.field, self.reason)
+
+
 class ModellingError(GearStudioError):
     """A construction that the CAD kernel could not make."""
 

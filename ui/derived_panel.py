@@ -108,9 +108,10 @@ def quantities(pair: PairGeometry) -> tuple[Quantity, ...]:
 
 
 def _as_flank(member: MemberGeometry, flank: FlankName) -> MemberGeometry:
+    from gearstudio.theory.flank import side_of
     from gearstudio.theory.modified import flank_member
 
-    return flank_member(member, member.hand if flank == "concave" else -member.hand)
+    return flank_member(member, side_of(member.hand, flank))
 
 
 def pair_rows(pair: PairGeometry) -> tuple[tuple[str, str, str, str], ...]:

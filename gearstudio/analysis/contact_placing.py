@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from gearstudio.theory.cones import MemberGeometry, PairGeometry
-from gearstudio.theory.flank import Flank, FlankName
+from gearstudio.theory.flank import Flank, FlankName, name_of, side_of
 from gearstudio.theory.involute import involute_azimuth, polar_angle, roll_arc
 from gearstudio.theory.involute_flank import InvoluteFlank
 from gearstudio.theory.modified import flank_member, flank_of, relief_on, swept_on
@@ -101,12 +101,12 @@ class FlankMesh:
     @cached_property
     def pinion_flank(self) -> Flank:
         """The flank of the pinion; raises GeometryError as `involute_flank`."""
-        return flank_of(self.pair.pinion, _name(self.pair.pinion, self.side))
+        return flank_of(self.pair.pinion, name_of(self.pair.pinion.hand, self.side))
 
     @cached_property
     def wheel_flank(self) -> InvoluteFlank:
         """The flank of the wheel; raises GeometryError as `involute_flank`."""
-        flank_of(self.pair.wheel, _name(self.pair.wheel, self.side))
+        flank_of(self.pair.wheel, name_of(self.pair.wheel.hand, self.side))
         return swept_on(self.pair.wheel, self.side)
 
     @cached_property
@@ -255,13 +255,9 @@ class FlankMesh:
 
 def flank_mesh(pair: PairGeometry, pinion_flank: FlankName, misalignment: Misalignment | None = None) -> FlankMesh:
     """The mesh of the pinion's concave flank (drive) or convex flank (coast)."""
-    side = pair.pinion.hand if pinion_flank == "concave" else -pair.pinion.hand
+    side = side_of(pair.pinion.hand, pinion_flank)
     if pair.has_offset:
         from gearstudio.analysis.contact_hypoid import HypoidMesh
 
         return HypoidMesh(pair, side, misalignment or Misalignment())
     return FlankMesh(pair, side, misalignment or Misalignment())
-
-
-def _name(member: MemberGeometry, side: int) -> FlankName:
-    return "concave" if side == member.hand else "convex"

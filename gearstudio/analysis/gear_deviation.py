@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from gearstudio.theory.chamfer import EndChamfer
 from gearstudio.theory.cones import MemberGeometry
+from gearstudio.theory.flank import side_of
 from gearstudio.theory.section import Profile
 from gearstudio.theory.vectors import spherical, wrapped
 
@@ -128,7 +129,7 @@ class GearTheory:
             return np.ones(points.shape[:-1], dtype=bool)
         rho, delta, phi = spherical(points)
         member = self.member
-        sign = member.hand if side == "concave" else -member.hand
+        sign = side_of(member.hand, side)
         place = self._place(rho, delta)
         foot, flank = self.profile.foot_angle(sign, place), self.profile.flank_foot(sign, place)
         low, high = {

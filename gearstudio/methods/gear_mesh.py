@@ -14,6 +14,7 @@ from gearstudio.methods.tooth import Tooth
 from gearstudio.nurbs import NurbsSurface
 from gearstudio.results import Mesh
 from gearstudio.theory.cones import MemberGeometry
+from gearstudio.theory.flank import name_of
 from gearstudio.theory.spread import Spread
 
 Floats = NDArray[np.float64]
@@ -132,7 +133,7 @@ class _Sampled:
 
 
 def _group(kind: str, side: int, hand: int) -> str:
-    return kind if kind != "flank" else ("concave" if side == hand else "convex")
+    return kind if kind != "flank" else name_of(hand, side)
 
 
 def _count(surface: NurbsSurface, axis: int, goal: float, angle: float) -> int:

@@ -31,6 +31,7 @@ from gearstudio.methods.trimming import trimmed
 from gearstudio.nurbs import NurbsSurface
 from gearstudio.theory.chamfer import EndChamfer
 from gearstudio.theory.cones import MemberGeometry
+from gearstudio.theory.flank import name_of
 from gearstudio.theory.profile import profile_of
 from gearstudio.theory.section import Profile, Segment
 
@@ -53,7 +54,7 @@ class ToothFace:
 
     def title(self, hand: int) -> str:
         """What it is called on a tooth of a hand: ``concave``, ``concave fillet``, ``tip``, ..."""
-        flank = "concave" if self.side == hand else "convex"
+        flank = name_of(hand, self.side)
         return self.kind if self.side == 0 else flank if self.kind == "flank" else f"{flank} {self.kind}"
 
 

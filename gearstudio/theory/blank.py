@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from gearstudio.errors import GeometryError
+from gearstudio.errors import FieldError
 from gearstudio.theory.chamfer import EndChamfer, chamfer_limits, end_chamfers
 from gearstudio.theory.cones import MemberGeometry
 
@@ -75,15 +75,8 @@ class BlankOutline:
     chamfers: tuple[EndChamfer, ...] = ()
 
 
-class BlankError(GeometryError):
+class BlankError(FieldError):
     """A body that cannot be turned; ``field`` is the size to change."""
-
-    def __init__(self, field: str, message: str) -> None:
-        self.field, self.reason = field, message
-        super().__init__(message)
-
-    def __reduce__(self) -> tuple[type, tuple[str, str]]:
-        return type(self), (self.field, self.reason)
 
 
 def blank_outline(member: MemberGeometry, sizes: BlankSizes) -> BlankOutline:

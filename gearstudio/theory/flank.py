@@ -18,6 +18,16 @@ FlankName = Literal["concave", "convex"]
 FLANKS: tuple[FlankName, FlankName] = ("concave", "convex")
 
 
+def side_of(hand: int, name: str) -> int:
+    """+1 or -1: on which side of a tooth of a hand its flank is; concave is side = hand (theory 4)."""
+    return hand if name == "concave" else -hand
+
+
+def name_of(hand: int, side: int) -> FlankName:
+    """``concave`` or ``convex``: the flank on a side of a tooth of a hand; the inverse of `side_of`."""
+    return "concave" if side == hand else "convex"
+
+
 class Flank(Protocol):
     """A theoretical flank.
 

@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from gearstudio.errors import GeometryError
 from gearstudio.theory.cones import MemberGeometry
-from gearstudio.theory.flank import FlankName, border_gap
+from gearstudio.theory.flank import FlankName, border_gap, name_of, side_of
 from gearstudio.theory.involute import (
     involute_azimuth,
     polar_angle,
@@ -47,8 +47,8 @@ class InvoluteFlank:
 
     @property
     def name(self) -> FlankName:
-        """``concave`` where side equals hand (theory 4)."""
-        return "concave" if self.side == self.member.hand else "convex"
+        """``concave`` or ``convex``."""
+        return name_of(self.member.hand, self.side)
 
     @property
     def swept(self) -> InvoluteFlank:
@@ -284,7 +284,7 @@ class InvoluteFlank:
 
 
 def involute_flank(member: MemberGeometry, name: FlankName) -> InvoluteFlank:
-    """The concave or convex flank of a member's tooth without micro-geometry (theory 4: concave is side = hand).
+    """The concave or convex flank of a member's tooth without micro-geometry.
 
     Raises
     ------
@@ -296,4 +296,4 @@ def involute_flank(member: MemberGeometry, name: FlankName) -> InvoluteFlank:
         raise GeometryError(
             f"a cutter of radius {member.lengthwise.cutter_radius:.6g} mm does not cross the whole face width"
         )
-    return InvoluteFlank(member, member.hand if name == "concave" else -member.hand)
+    return InvoluteFlank(member, side_of(member.hand, name))

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from gearstudio.theory.cones import MemberGeometry
-from gearstudio.theory.flank import Flank, FlankName
+from gearstudio.theory.flank import Flank, FlankName, side_of
 from gearstudio.theory.hypoid.conjugate import ConjugateFlank, pinion_flank
 from gearstudio.theory.hypoid.inputs import MemberName
 from gearstudio.theory.hypoid.modified import ModifiedConjugate
@@ -140,8 +140,8 @@ def flank_of(member: MemberGeometry, name: FlankName) -> Flank:
     GeometryError
         As `involute_flank`.
     """
-    side = member.hand if name == "concave" else -member.hand
-    return flank_on(member, side) if member.hypoid is not None else flank_on(member, involute_flank(member, name).side)
+    side = side_of(member.hand, name) if member.hypoid is not None else involute_flank(member, name).side
+    return flank_on(member, side)
 
 
 def flank_on(member: MemberGeometry, side: int, foot: Limit | None = None) -> Flank:

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from gearstudio.errors import GeometryError
 from gearstudio.theory.cones import MemberGeometry
-from gearstudio.theory.flank import FlankName, border_gap
+from gearstudio.theory.flank import FlankName, border_gap, name_of
 from gearstudio.theory.hypoid.best_line import best_line
 from gearstudio.theory.hypoid.edge import StartOfContact, start_of_contact
 from gearstudio.theory.hypoid.envelope import Envelope
@@ -58,8 +58,8 @@ class ConjugateFlank:
 
     @property
     def name(self) -> FlankName:
-        """``concave`` where side equals hand (theory 4)."""
-        return "concave" if self.side == self.member.hand else "convex"
+        """``concave`` or ``convex``."""
+        return name_of(self.member.hand, self.side)
 
     @property
     def starts_on_base(self) -> bool:

@@ -5,22 +5,15 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Literal
 
-from gearstudio.errors import GeometryError
+from gearstudio.errors import FieldError
 
 MemberName = Literal["pinion", "wheel"]
 Taper = Literal["standard", "uniform", "duplex", "tilted_root"]
 Curve = Literal["archimedean", "circular_arc", "logarithmic"]
 
 
-class HypoidError(GeometryError):
+class HypoidError(FieldError):
     """A pair that cannot be made; ``field`` is the dotted name of the entry to change."""
-
-    def __init__(self, field: str, message: str) -> None:
-        self.field, self.reason = field, message
-        super().__init__(message)
-
-    def __reduce__(self) -> tuple[type, tuple[str, str]]:
-        return type(self), (self.field, self.reason)
 
 
 @dataclass(frozen=True)

@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from math import acos, asin, atan, cos, pi, radians, sin, tan
 
 from gearstudio.theory.cones import MemberGeometry
-from gearstudio.theory.flank import FlankName
+from gearstudio.theory.flank import FlankName, name_of, side_of
 from gearstudio.theory.hypoid.axes import Axes, placed
 from gearstudio.theory.hypoid.bodies import Bodies, Body, bodies
 from gearstudio.theory.hypoid.checks import nearest, pitch_cones
@@ -54,12 +54,12 @@ class HypoidPair:
         return self.bodies.wheel if name == "wheel" else self.bodies.pinion
 
     def side(self, name: MemberName, flank: FlankName) -> int:
-        """+1 or -1: concave is side = hand (theory 4); flanks of equal side meet."""
-        return self.hand(name) if flank == "concave" else -self.hand(name)
+        """+1 or -1; flanks of equal side meet."""
+        return side_of(self.hand(name), flank)
 
     def flank_name(self, name: MemberName, side: int) -> FlankName:
         """The flank of a member on a side."""
-        return "concave" if side == self.hand(name) else "convex"
+        return name_of(self.hand(name), side)
 
     def is_drive(self, side: int) -> bool:
         """Whether a side is the drive flank: concave on the pinion, convex on the wheel."""
