@@ -110,14 +110,21 @@ class Files(QObject):
     def reopen(self, path: Path | None, then: Callable[[bool], object]) -> None:
         """Open what a recovered draft belongs to, and tell whether the user agreed.
 
-        That is its design file, or the default design where there is none now.
+        That is its design file, or the default design where there is none now. A file that cannot be read is spared:
+        to save asks for a name.
         """
         if path is None:
             self.new()
             then(not self._session.unsaved)
             return
-        default = Design(), path, False
-        self._read(path, lambda found: then(self._open_as(*((found, path) if isinstance(found, Design) else default))))
+
+        def take(found: Found) -> None:
+            if isinstance(found, Design):
+                then(self._open_as(found, path))
+            else:
+                then(self._open_as(Design(), path, saved=False, spared=path.exists()))
+
+        self._read(path, take)
 
     def _read(self, path: Path, take: Take) -> None:
         if self._reading is None:
@@ -132,11 +139,11 @@ class Files(QObject):
         text, details = not_opened(path, found)
         self._window.messages.show_message("error", text, details, topic="file")
 
-    def _open_as(self, design: Design, path: Path, saved: bool = True) -> bool:
+    def _open_as(self, design: Design, path: Path, saved: bool = True, spared: bool = False) -> bool:
         if not self.may_discard():
             return False
         holder = self.lock.take(path)
-        way = ask_how_to_open(self._window, path, holder) if holder else "write"
+        way = ask_how_to_open(self._window, path, holder) if holder else "read_only" if spared else "write"
         if not way:
             return False
         self._folder = str(path.parent)

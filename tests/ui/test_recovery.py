@@ -6,12 +6,12 @@ from datetime import datetime
 
 import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QMessageBox
+from PySide6.QtWidgets import QFileDialog, QMessageBox
 
 from gearstudio.design import Design
 from gearstudio.errors import FileError
 from gearstudio.presets import PRESETS
-from gearstudio.project import save_design
+from gearstudio.project import load_design, save_design
 from tests.ui.places import Place, left_behind
 from tests.ui.stand_ins import Bench
 from ui.projects import autosave
@@ -185,6 +185,20 @@ def test_a_design_whose_folder_vanished_is_recovered(place: Place, tmp_path, mon
     monkeypatch.setattr(QMessageBox, "exec", lambda box: asked.append(box.text()) or QMessageBox.StandardButton.Cancel)
     assert not place.bench.files.save()
     assert len(asked) == 1 and str(path.parent) in asked[0]
+
+
+@pytest.mark.parametrize("content", ["format = 99\n[pair]\nwheel_teeth = 41\n", "\x00 spoiled"])
+def test_what_belongs_to_a_file_that_cannot_be_read_is_saved_elsewhere(
+    place: Place, tmp_path, monkeypatch, content: str
+) -> None:
+    path, other = tmp_path / "axle.gear.toml", tmp_path / "other.gear.toml"
+    path.write_text(content)
+    left_behind(place.folder, path, "axle", **{TEETH: 47})
+    place.desk.offer_recovery().recover.click()
+    assert place.bench.session.draft[TEETH] == 47 and place.bench.session.unsaved
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(other), ""))
+    assert place.bench.files.save()
+    assert path.read_text() == content and load_design(other).pair.wheel_teeth == 47
 
 
 def test_an_older_programs_draft_is_completed() -> None:
