@@ -6,6 +6,7 @@ import argparse
 import logging
 import sys
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -96,7 +97,8 @@ class Studio(QObject):
         self.loader.failed.connect(self._on_failed)
         self.loader.finished.connect(self._on_finished)
         self.make_window()
-        self._use_preferences(Choices(), self.habits.preferences.choices)
+        chosen = self.habits.preferences.choices
+        self._use_preferences(replace(Choices(), language=chosen.language), chosen)  # it speaks one already
         self.habits.preferences.changed.connect(self._use_preferences)
         self.window.first_painted.connect(self.loader.start)
         theme.changed.connect(self._on_theme_changed)

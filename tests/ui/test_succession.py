@@ -21,6 +21,7 @@ from tests.ui.screen import NEEDS_SCREEN
 from tests.ui.whole import PATIENCE_MS, TEETH, complete, edit
 from tools import translations
 from ui.app import Studio
+from ui.language import Language
 from ui.preferences_dialog import PreferencesDialog
 from ui.session import Key
 
@@ -235,6 +236,20 @@ def _commands(actions: Iterable[QAction]) -> Iterator[QAction]:
             yield from _commands(action.menu().actions())
         elif not action.isSeparator():
             yield action
+
+
+def test_a_window_asked_for_in_another_language_than_the_preferences_keeps_it(qtbot, theme, tmp_path: Path) -> None:
+    settings = QSettings(str(tmp_path / "settings.ini"), QSettings.Format.IniFormat)
+    settings.setValue("language", "de")
+    studio = Studio(theme, settings, language=Language(QApplication.instance(), "zh"))
+    window = studio.window
+    try:
+        window.show()
+        qtbot.waitUntil(lambda: studio.loader.has_finished, timeout=PATIENCE_MS)
+        assert studio.window is window and studio.language.spoken == "zh"
+    finally:
+        window.close()
+        studio.language.speak("en")
 
 
 def test_a_language_chosen_while_the_parts_are_loaded(open_studio, qtbot) -> None:
