@@ -126,7 +126,7 @@ def _end(member: MemberGeometry, v: float, start: Floats, end: Floats) -> Floats
     """The end surface from one place to another: a line, or an arc where teeth end on spheres."""
     if member.ends != "sphere":
         return np.stack([start, end])
-    rho = member.inner_cone_distance + v * member.face_width
+    rho = member.along_face(v)
     angles = np.linspace(np.arctan2(start[1], start[0]), np.arctan2(end[1], end[0]), _ARC)
     return rho * np.stack([np.cos(angles), np.sin(angles)], axis=-1)
 

@@ -247,7 +247,7 @@ def _reached(flank: InvoluteFlank, v: Floats, contact: float) -> Floats:
     """How far along u the line has come at each v; below 0 it has not arrived, above 1 it has left, shape (n,)."""
     member = flank.member
     low, high = (roll_arc(limit, member.base_angle) for limit in flank.limits(v))
-    rho_u = member.inner_cone_distance + v * member.face_width
+    rho_u = member.along_face(v)
     psi = (low + high) / 2
     for _ in range(6):
         rho = member.cone_distance(rho_u, polar_angle(np.clip(psi, low, high), member.base_angle))

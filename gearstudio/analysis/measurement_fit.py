@@ -125,7 +125,7 @@ def places(member: MemberGeometry, points: Floats) -> tuple[Floats, Floats]:
     """Place along the face (0 toe, 1 heel) and along the profile (0 root, 1 tip, by polar angle), (n,) each."""
     flank = flank_on(member, 1)
     rho, delta, _ = flank.locate(points)
-    face = (member.end_distance(rho, delta) - member.inner_cone_distance) / member.face_width
+    face = member.face_share(member.end_distance(rho, delta))
     low, high = flank.limits(face)
     return np.asarray(face), np.asarray((delta - low) / (high - low))
 

@@ -106,7 +106,7 @@ class _Cut:
         """Shares of the way from foot to tip, by polar angle, and from toe to heel, at which points lie."""
         rho, delta, _ = self.flank.locate(self.surface.points(u, v))
         m = self.flank.member
-        along = (m.end_distance(rho, delta) - m.inner_cone_distance) / m.face_width
+        along = m.face_share(m.end_distance(rho, delta))
         low, high = self.flank.limits(along)
         return (delta - low) / (high - low), along
 

@@ -134,7 +134,7 @@ def crown_height(member: MemberGeometry) -> float:
 
 def _end_point(member: MemberGeometry, v: float, below_pitch: float) -> tuple[float, float]:
     """Point of an end surface at a depth below the pitch cone, (radius, height) [mm]."""
-    rho_u = member.inner_cone_distance + v * member.face_width
+    rho_u = float(member.along_face(v))
     if member.ends == "sphere":
         angle = member.pitch_angle - below_pitch / rho_u
         return float(rho_u * np.sin(angle)), float(rho_u * np.cos(angle))
@@ -143,7 +143,7 @@ def _end_point(member: MemberGeometry, v: float, below_pitch: float) -> tuple[fl
 
 
 def _depth_below_pitch(member: MemberGeometry, v: float) -> float:
-    rho_u = member.inner_cone_distance + v * member.face_width
+    rho_u = float(member.along_face(v))
     lean = member.pitch_angle - float(member.limit_angle(member.root_limit, rho_u))
     return rho_u * (lean if member.ends == "sphere" else float(np.tan(lean)))
 
@@ -154,7 +154,7 @@ def _root_point(member: MemberGeometry, v: float) -> tuple[float, float]:
 
 def _rim_point(member: MemberGeometry, v: float) -> tuple[float, float]:
     """Where the rim ends below the root: one whole depth, less where the body is small."""
-    scale = (member.inner_cone_distance + v * member.face_width) / member.outer_cone_distance
+    scale = float(member.along_face(v)) / member.outer_cone_distance
     root_radius = _root_point(member, v)[0]
     cos_d = max(float(np.cos(member.pitch_angle)), 1e-6)
     rim = min(_RIM_IN_DEPTHS * (member.addendum + member.dedendum) * scale, _LARGEST_RIM_SHARE * root_radius / cos_d)
@@ -221,7 +221,7 @@ def _between(member: MemberGeometry, v: float, share: float) -> tuple[float, flo
     if member.ends != "sphere":
         return root[0] + share * (rim[0] - root[0]), root[1] + share * (rim[1] - root[1])
     height = root[1] + share * (rim[1] - root[1])
-    rho_u = member.inner_cone_distance + v * member.face_width
+    rho_u = float(member.along_face(v))
     return float(np.sqrt(rho_u**2 - height**2)), height
 
 

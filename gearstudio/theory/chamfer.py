@@ -69,7 +69,7 @@ class EndChamfer:
 
 def end_point(member: MemberGeometry, limit: ConeLimit, v: float) -> Floats:
     """(radius, height) where a cone meets an end of the teeth, v = 0 at the toe, 1 at the heel [mm]."""
-    rho_u = member.inner_cone_distance + v * member.face_width
+    rho_u = member.along_face(v)
     delta = member.limit_angle(limit, rho_u)
     rho = member.cone_distance(rho_u, delta)
     return np.array([float(rho * np.sin(delta)), float(rho * np.cos(delta))])

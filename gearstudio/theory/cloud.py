@@ -58,7 +58,7 @@ def flank_coordinates(flank: Flank, rows: int, cols: int, spacing: Spacing = "un
     member = flank.member
 
     def at(place_rho: ArrayLike, place_delta: ArrayLike) -> tuple[Floats, Floats]:
-        rho = member.inner_cone_distance + np.asarray(place_rho, dtype=np.float64) * member.face_width
+        rho = member.along_face(place_rho)
         low = flank.lower_angle(rho)
         high = member.tip_limit.at_sphere(rho)
         rho, delta = np.broadcast_arrays(rho, low + np.asarray(place_delta) * (high - low))

@@ -97,6 +97,14 @@ class MemberGeometry:
         edges = (Edge(limit.angle, limit.offset) for limit in (low, tip))
         return ReliefFrame(mean, self.face_width / 2, self.pitch_angle, self.ends == "back_cone", *edges)
 
+    def along_face(self, v: ArrayLike) -> Floats:
+        """rho_u [mm] at places v along the face, 0 at the toe and 1 at the heel."""
+        return np.asarray(self.inner_cone_distance + np.asarray(v, dtype=np.float64) * self.face_width)
+
+    def face_share(self, rho_u: ArrayLike) -> Floats:
+        """Places v along the face at rho_u [mm]; the inverse of `along_face`."""
+        return np.asarray((np.asarray(rho_u, dtype=np.float64) - self.inner_cone_distance) / self.face_width)
+
     def limit_angle(self, limit: Limit, rho_u: ArrayLike) -> Floats:
         """Polar angle of a limit at a tooth end, by the kind of ends this member has [rad]."""
         return limit.at_sphere(rho_u) if self.ends == "sphere" else limit.at_back_cone(rho_u)

@@ -142,7 +142,7 @@ def border_gap(flank: Flank, points: Floats) -> float:
     """How far the border of a surface lies from the edges of a flank, for `Flank.edge_deviation`."""
     m = flank.member
     rho, delta, _ = spherical(points)
-    place = (m.end_distance(rho, delta) - m.inner_cone_distance) / m.face_width
+    place = m.face_share(m.end_distance(rho, delta))
     ends = max(np.abs(place[:, 0]).max(), np.abs(place[:, -1] - 1.0).max()) * m.face_width
     root = np.abs(delta[0] - flank.limits(place[0])[0]) * rho[0]
     tip = np.abs(delta[-1] - flank.limits(place[-1])[1]) * rho[-1]

@@ -58,7 +58,7 @@ class InvoluteFlank:
     def limits(self, v: ArrayLike) -> tuple[Floats, Floats]:
         """Polar angles of the working flank's lower and upper edge at places v along the face, (...) each [rad]."""
         m = self.member
-        rho_u = self._end_distance(v)
+        rho_u = self.member.along_face(v)
         upper = m.limit_angle(m.tip_limit, rho_u)
         if self.foot is not None:
             return m.limit_angle(self.foot, rho_u), upper
@@ -85,7 +85,7 @@ class InvoluteFlank:
         u, v = matched(u, v)
         low, high = (roll_arc(limit, self.member.base_angle) for limit in self.limits(v))
         psi = low + u * (high - low)
-        return psi, self.member.cone_distance(self._end_distance(v), polar_angle(psi, self.member.base_angle))
+        return psi, self.member.cone_distance(self.member.along_face(v), polar_angle(psi, self.member.base_angle))
 
     def points(self, u: ArrayLike, v: ArrayLike) -> Floats:
         """Points of the working flank, shape (..., 3) [mm]."""
@@ -95,18 +95,18 @@ class InvoluteFlank:
         """Places v at which shares in [0, 1] divide the face for an interpolation (see `Lengthwise.divided`)."""
         m = self.member
         rho_u = m.lengthwise.divided(m.inner_cone_distance, m.outer_cone_distance, share)
-        return np.asarray((rho_u - m.inner_cone_distance) / m.face_width)
+        return m.face_share(rho_u)
 
     def evenly_divided(self, n_u: int, n_v: int) -> Floats:
         """Points of the working flank at evenly spaced polar angles and places along the face, (n_u, n_v, 3)."""
         v = np.linspace(0.0, 1.0, n_v)
         lower, upper = self.limits(v)
         delta = lower + np.linspace(0.0, 1.0, n_u)[:, None] * (upper - lower)
-        return self.points_at(self.member.cone_distance(self._end_distance(v), delta), delta)
+        return self.points_at(self.member.cone_distance(self.member.along_face(v), delta), delta)
 
     def trace(self, v: ArrayLike) -> Floats:
         """Points of the tooth trace, where the flank meets the pitch cone, shape (..., 3)."""
-        rho = self._end_distance(v)
+        rho = self.member.along_face(v)
         return self.points_at(rho, np.full_like(rho, self.member.pitch_angle))
 
     def normals(self, u: ArrayLike, v: ArrayLike) -> Floats:
@@ -262,9 +262,6 @@ class InvoluteFlank:
         lengthwise = unit + (rho * self.member.lengthwise.azimuth_slope(rho))[..., None] * quarter(unit)
         normal = self.side * np.cross(lengthwise, plane)
         return np.asarray(normal / np.linalg.norm(normal, axis=-1, keepdims=True))
-
-    def _end_distance(self, v: ArrayLike) -> Floats:
-        return np.asarray(self.member.inner_cone_distance + np.asarray(v, dtype=np.float64) * self.member.face_width)
 
     def lever(self, rho: Floats, polar_angle: Floats) -> Floats:
         """Normal distance per difference in azimuth [mm/rad] (theory 5); as on the base cone below it."""

@@ -168,7 +168,7 @@ class ToothProfile:
             Points on each segment.
         """
         m = self.member
-        rho_u = m.inner_cone_distance + v * m.face_width
+        rho_u = m.along_face(v)
         tip = m.limit_angle(m.tip_limit, rho_u)
         s = np.linspace(0.0, 1.0, samples)
         half = [self.angles(name, s, tip) for name in self.segments]

@@ -69,7 +69,7 @@ class _Edge:
     def at_back_cone(self, rho_u: ArrayLike, /) -> Floats:
         """Polar angle [rad] at end distances; on spheres these are the cone distances."""
         m = self.flank.member
-        return self.flank.limits((np.asarray(rho_u, dtype=np.float64) - m.inner_cone_distance) / m.face_width)[0]
+        return self.flank.limits(m.face_share(rho_u))[0]
 
 
 def edge_cone(flank: ConjugateFlank, u: float) -> ConeLimit:

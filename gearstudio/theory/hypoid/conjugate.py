@@ -75,7 +75,7 @@ class ConjugateFlank:
         """Polar angles of start of contact and tip at places v along the face, (...) each [rad]."""
         m = self.member
         v = np.asarray(v, dtype=np.float64)
-        return self._start(v), m.limit_angle(m.tip_limit, self._end_distance(v))
+        return self._start(v), m.limit_angle(m.tip_limit, self.member.along_face(v))
 
     def coordinates(self, u: ArrayLike, v: ArrayLike) -> tuple[Floats, Floats]:
         """psi [rad] and rho [mm] of the wheel at (u, v); the polar angle is linear in u.
@@ -88,7 +88,7 @@ class ConjugateFlank:
         u, v = matched(u, v)
         low, high = self.limits(v)
         delta = low + u * (high - low)
-        return self.generating(self.member.cone_distance(self._end_distance(v), delta), delta)
+        return self.generating(self.member.cone_distance(self.member.along_face(v), delta), delta)
 
     def points(self, u: ArrayLike, v: ArrayLike) -> Floats:
         """Points of the working flank, shape (..., 3) [mm]."""
@@ -102,7 +102,7 @@ class ConjugateFlank:
         """Places v at which shares in [0, 1] divide the face for an interpolation, as on the wheel."""
         m = self.envelope.wheel.member
         rho_u = m.lengthwise.divided(m.inner_cone_distance, m.outer_cone_distance, share)
-        return np.asarray((rho_u - m.inner_cone_distance) / m.face_width)
+        return m.face_share(rho_u)
 
     def evenly_divided(self, n_u: int, n_v: int) -> Floats:
         """Points of the working flank at evenly spaced polar angles and places along the face, (n_u, n_v, 3)."""
@@ -124,12 +124,12 @@ class ConjugateFlank:
         rho, m = np.asarray(rho, dtype=np.float64), self.member
         delta = np.full_like(rho, m.pitch_angle)
         for _ in range(_EDGE_STEPS):
-            delta = self._start((m.end_distance(rho, delta) - m.inner_cone_distance) / m.face_width)
+            delta = self._start(m.face_share(m.end_distance(rho, delta)))
         return delta
 
     def trace(self, v: ArrayLike) -> Floats:
         """Points where the flank meets the pinion's pitch cone, shape (..., 3)."""
-        rho = self._end_distance(np.asarray(v, dtype=np.float64))
+        rho = self.member.along_face(v)
         return self.at(*self.generating(rho, np.full_like(rho, self.member.pitch_angle)))
 
     def at(self, psi: ArrayLike, rho: ArrayLike, /) -> Floats:
@@ -211,9 +211,6 @@ class ConjugateFlank:
     def _reach(self) -> Reach:
         return reach_of(self)
 
-    def _end_distance(self, v: Floats) -> Floats:
-        return np.asarray(self.member.inner_cone_distance + v * self.member.face_width)
-
     def generating(self, rho: Floats, delta: Floats) -> tuple[Floats, Floats]:
         """Natural coordinates at distances from the pitch apex [mm] and polar angles [rad]; raises as `coordinates`."""
         m, like = self.member, self.alike or self
@@ -226,7 +223,7 @@ class ConjugateFlank:
         v, u = (nodes.ravel() for nodes in Guess.places())
         low, high = self.limits(v)
         delta = low + u * (high - low)
-        m, rho = self.member, self.member.cone_distance(self._end_distance(v), delta)
+        m, rho = self.member, self.member.cone_distance(self.member.along_face(v), delta)
         try:
             found = generating_point(self.envelope, rho, delta, m.lengthwise.mean_cone_distance, m.pitch_angle)
         except GeometryError:
@@ -236,18 +233,18 @@ class ConjugateFlank:
     def _shares(self, rho: Floats, delta: Floats) -> tuple[Floats, Floats]:
         """v and u of places on the flank."""
         m = self.member
-        v = np.asarray((m.end_distance(rho, delta) - m.inner_cone_distance) / m.face_width)
+        v = m.face_share(m.end_distance(rho, delta))
         low, high = self.limits(v)
         return v, np.asarray((delta - low) / (high - low))
 
     def _within(self, rho: Floats, delta: Floats) -> tuple[Floats, Floats]:
         """The nearest place not far beyond the edges."""
         m, reach = self.member, self._reach
-        share = (m.end_distance(rho, delta) - m.inner_cone_distance) / m.face_width
+        share = m.face_share(m.end_distance(rho, delta))
         v = np.clip(share, -reach.beside, 1 + reach.beside)
         low, high = self.limits(v)
         delta = np.clip(delta, low - reach.below * (high - low), high + reach.above * (high - low))
-        return m.cone_distance(self._end_distance(v), delta), delta
+        return m.cone_distance(self.member.along_face(v), delta), delta
 
 
 @lru_cache(maxsize=_KEPT)

@@ -14,7 +14,7 @@ from gearstudio.errors import GeometryError
 from gearstudio.theory.cones import MemberGeometry
 from gearstudio.theory.hypoid.conjugate import ConjugateFlank
 from gearstudio.theory.hypoid.edge import StartOfContact
-from gearstudio.theory.hypoid.fillets import BEYOND, Circle, FilletError, places
+from gearstudio.theory.hypoid.fillets import BEYOND, Circle, FilletError
 from gearstudio.theory.hypoid.modified import ModifiedConjugate
 from gearstudio.theory.hypoid.straight import Tangent, Touched
 from gearstudio.theory.hypoid.undercut import LEAST_AREA_RATIO
@@ -140,19 +140,19 @@ class ConjugateSide:
     def _tip(self) -> Floats:
         """Chebyshev coefficients of the tip's azimuth."""
         nodes, m = chebyshev.chebpts1(_NODES), self.whole.member
-        rho_u = places(m, 0.5 + (0.5 + BEYOND) * nodes)
+        rho_u = m.along_face(0.5 + (0.5 + BEYOND) * nodes)
         return np.asarray(chebyshev.chebfit(nodes, self._line(rho_u, m.limit_angle(m.tip_limit, rho_u))[0], _NODES - 1))
 
     def _along(self, rho_u: Floats) -> Floats:
         """Where the polynomials are taken, -1 to 1 from a little before the toe to a little beyond the heel."""
-        return (_shares(self.whole.member, rho_u) - 0.5) / (0.5 + BEYOND)
+        return (self.whole.member.face_share(rho_u) - 0.5) / (0.5 + BEYOND)
 
     @cached_property
     def _series(self) -> _Solved:
         """Chebyshev coefficients of what is solved over the face and a little beyond."""
         nodes, m = chebyshev.chebpts1(_NODES), self.whole.member
-        rho_u = places(m, 0.5 + (0.5 + BEYOND) * nodes)
-        root, start = m.limit_angle(m.root_limit, rho_u), self.whole.limits(_shares(m, rho_u))[0]
+        rho_u = m.along_face(0.5 + (0.5 + BEYOND) * nodes)
+        root, start = m.limit_angle(m.root_limit, rho_u), self.whole.limits(m.face_share(rho_u))[0]
         if np.any(start <= root):
             raise FilletError(
                 f"contact on the {m.name}'s {self.whole.name} flank starts below its root cone",
@@ -247,10 +247,6 @@ class ConjugateSide:
         along = rho * n_delta + stretch * (n_rho + rho * np.sin(delta) * turn * n_phi)
         slope = -along / (rho * np.sin(delta) * n_phi)
         return side * wrapped(azimuth), side * slope
-
-
-def _shares(member: MemberGeometry, rho_u: Floats) -> Floats:
-    return np.asarray((rho_u - member.inner_cone_distance) / member.face_width)
 
 
 def _secant(function: Callable[[Floats], Floats], before: Floats, now: Floats) -> Floats:

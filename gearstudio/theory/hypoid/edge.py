@@ -61,7 +61,7 @@ def start_of_contact(envelope: Envelope, pinion: MemberGeometry) -> StartOfConta
 def _fitted(envelope: Envelope, pinion: MemberGeometry, beyond: float) -> StartOfContact:
     nodes = chebyshev.chebpts1(_NODES)
     v = 0.5 + (0.5 + beyond) * nodes
-    rho = _on_face_cone(envelope, pinion, pinion.inner_cone_distance + v * pinion.face_width)
+    rho = _on_face_cone(envelope, pinion, pinion.along_face(v))
     _, delta, _ = spherical(face_cone_image(envelope, rho)[0])
     return StartOfContact(np.asarray(chebyshev.chebfit(nodes, delta, _NODES - 1), dtype=np.float64), beyond)
 

@@ -209,14 +209,9 @@ def involute_side(whole: InvoluteFlank, radius: float) -> InvoluteSide:
     Where the radius lies between the least and the largest of these along the face, the nearer of them is taken.
     """
     m = whole.member
-    root = m.limit_angle(m.root_limit, places(m, np.linspace(-BEYOND, 1 + BEYOND, _ALONG)))
+    root = m.limit_angle(m.root_limit, m.along_face(np.linspace(-BEYOND, 1 + BEYOND, _ALONG)))
     limits = np.arctan(np.maximum(np.cos(root) - np.cos(m.base_angle), 0.0) / np.sin(root))
     least, most = float(limits.min()) * (1 - _CLEAR), float(limits.max()) * (1 + _CLEAR)
     if least < radius < most:
         radius = least if radius**2 < least * most else most
     return InvoluteSide(whole, radius, radius <= least)
-
-
-def places(member: MemberGeometry, v: Floats) -> Floats:
-    """rho_u [mm] at shares v of the face."""
-    return np.asarray(member.inner_cone_distance + v * member.face_width)

@@ -81,7 +81,7 @@ class HypoidProfile:
     def places(self, share: Floats) -> Floats:
         """See `Profile`."""
         m = self.member
-        return np.asarray(m.inner_cone_distance + self.flank(1).along(share) * m.face_width)
+        return m.along_face(self.flank(1).along(share))
 
     def rising(self, name: Segment, side: int, x: Floats, rho_u: Floats) -> tuple[Floats, Floats]:
         """See `Profile`."""
@@ -163,7 +163,7 @@ def hypoid_profile(flanks: Mapping[int, Flank]) -> HypoidProfile:
         Fillets do not join flanks and root, neighbouring fillets leave no root, or a tooth is pointed.
     """
     member = flanks[1].member
-    places = member.inner_cone_distance + np.linspace(0.0, 1.0, _PLACES) * member.face_width
+    places = member.along_face(np.linspace(0.0, 1.0, _PLACES))
     asked = HypoidProfile(member, {side: _side(flank, member.fillet_angle) for side, flank in flanks.items()})
     profile = _with_root(asked, places)
     _refuse_pointed(profile, places)

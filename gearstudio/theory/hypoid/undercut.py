@@ -68,7 +68,7 @@ def worst_place(pair: HypoidPair, side: int) -> Undercut:
     share = np.linspace(0.0, 1.0, _ACROSS)[:, None] ** 0.5
     made = generator.made(psi + share * (roll_arc(tip, wheel.base_angle) - psi), rho)
     distance, delta, _ = spherical(made.point)
-    place = (pinion.end_distance(distance, delta) - pinion.inner_cone_distance) / pinion.face_width
+    place = pinion.face_share(pinion.end_distance(distance, delta))
     inside = (place >= 0) & (place <= 1) & (delta <= pinion.tip_limit.at_sphere(distance))
     ratio = np.where(inside, made.area_ratio, np.inf)
     worst = np.unravel_index(np.argmin(ratio), ratio.shape)
