@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QAbstractItemView, QFrame, QHeaderView, QLabel, QT
 
 from gearstudio.catalogue import METHOD_IDS, VARIANTS
 from ui.formatting import METHOD_TITLES, MINUS, VARIANT_TITLES, micrometres, seconds, settings_text, shortcoming, span
+from ui.quiet_table import LEFT, RIGHT, quieten
 from ui.session import Key, Session
 from ui.tables import table_text
 from ui.theme import tokens
@@ -53,8 +54,6 @@ COLUMNS = (
 METHOD, VARIANT, FIRST = 0, 1, 2
 CELL_PADDING, MOST_SETTINGS = 17, 400
 SETTINGS = FIRST + len(COLUMNS) - 1
-_LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
-_RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 _Index = QModelIndex | Any
 
 
@@ -246,23 +245,18 @@ class ComparisonTable(QWidget):
 def _make_view(model: ComparisonModel) -> QTableView:
     view = QTableView()
     view.setModel(model)
+    quieten(view)
     view.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
     view.setSelectionMode(QAbstractItemView.SelectionMode.ContiguousSelection)
-    view.setAlternatingRowColors(True)
-    view.setShowGrid(False)
-    view.setWordWrap(False)
-    view.setTabKeyNavigation(False)
     view.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
     view.setAccessibleName(tr("Comparison of all methods and variants"))
     view.setToolTip(tr("A click shows this method and variant; Ctrl+C copies the rows chosen"))
-    view.verticalHeader().hide()
     view.verticalHeader().setDefaultSectionSize(view.fontMetrics().height() + 9)
     header = view.horizontalHeader()
-    header.setHighlightSections(False)
     header.setSectionResizeMode(QHeaderView.ResizeMode.Interactive)
     header.setMinimumSectionSize(40)
     return view
 
 
 def _alignment(column: int) -> Qt.AlignmentFlag:
-    return _LEFT if column < FIRST or column == SETTINGS else _RIGHT
+    return LEFT if column < FIRST or column == SETTINGS else RIGHT

@@ -6,7 +6,6 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QSignalBlocker, Qt
 from PySide6.QtWidgets import (
-    QAbstractItemView,
     QComboBox,
     QHBoxLayout,
     QHeaderView,
@@ -21,14 +20,13 @@ from PySide6.QtWidgets import (
 from ui.fields import set_severity
 from ui.formatting import MEMBER_TITLES, number, number_text, parse_number, typed
 from ui.materials import CUSTOM, MATERIALS, density_unit, properties
+from ui.quiet_table import RIGHT, ROW_HEIGHT, quieten
 from ui.words import tr
 
 if TYPE_CHECKING:
     from gearstudio.results import SolidResult
 
 HEAVIEST = 30000.0
-_ROW_HEIGHT = 23
-_RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 
 
 class DensityField(QLineEdit):
@@ -65,13 +63,7 @@ class PropertiesTable(QWidget):
         self.table = QTableWidget(0, 2)
         self.table.setAccessibleName(tr("Properties of the solids"))
         self.table.setToolTip(tr("Volume, mass and moments of the solids that are built"))
-        self.table.verticalHeader().hide()
-        self.table.verticalHeader().setDefaultSectionSize(_ROW_HEIGHT)
-        self.table.setShowGrid(False)
-        self.table.setAlternatingRowColors(True)
-        self.table.setWordWrap(False)
-        self.table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
-        self.table.setSelectionMode(QAbstractItemView.SelectionMode.ContiguousSelection)
+        quieten(self.table)
         self.table.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.table.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         heading = QLabel(tr("Properties"))
@@ -111,12 +103,6 @@ class PropertiesTable(QWidget):
             self._density = float(state)
             self.show_units()
 
-    def text_table(self) -> str:
-        """All properties as tab-separated text."""
-        rows = properties(self._results, self._density)
-        head = "\t".join(["", *(tr(MEMBER_TITLES[member]) for member in self._members), ""])
-        return "\n".join([head, *("\t".join([row.title, *row.texts, row.unit]) for row in rows)])
-
     def _refresh(self) -> None:
         rows = properties(self._results, self._density)
         self.table.setColumnCount(1 + len(self._members))
@@ -127,7 +113,7 @@ class PropertiesTable(QWidget):
             mode = QHeaderView.ResizeMode.Stretch if stretched else QHeaderView.ResizeMode.ResizeToContents
             header.setSectionResizeMode(column, mode)
             if column:
-                self.table.horizontalHeaderItem(column).setTextAlignment(_RIGHT)
+                self.table.horizontalHeaderItem(column).setTextAlignment(RIGHT)
         self.table.setRowCount(len(rows))
         for index, row in enumerate(rows):
             title = f"{row.title}, {row.unit}" if row.unit else row.title
@@ -135,9 +121,9 @@ class PropertiesTable(QWidget):
                 item = QTableWidgetItem(text)
                 item.setToolTip(row.tip or title)
                 if column:
-                    item.setTextAlignment(_RIGHT)
+                    item.setTextAlignment(RIGHT)
                 self.table.setItem(index, column, item)
-        height = header.sizeHint().height() + len(rows) * _ROW_HEIGHT + 4
+        height = header.sizeHint().height() + len(rows) * ROW_HEIGHT + 4
         self.table.setFixedHeight(height)
 
     @property

@@ -36,7 +36,6 @@ def quieten(table: QTableView) -> None:
     table.setTabKeyNavigation(False)
     table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
     table.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
-    table.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
 
 
 def quiet_table(heads: Sequence[str], widths: Sequence[int], name: str) -> QTableWidget:
@@ -44,6 +43,7 @@ def quiet_table(heads: Sequence[str], widths: Sequence[int], name: str) -> QTabl
     table = QTableWidget(0, len(heads))
     quieten(table)
     table.setHorizontalHeaderLabels([tr(head) for head in heads])
+    table.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
     table.setAccessibleName(name)
     header = table.horizontalHeader()
     header.setSectionResizeMode(0, QHeaderView.ResizeMode.Stretch)

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 import pytest
 
 from gearstudio.jobs import GearJob
@@ -12,14 +10,6 @@ from ui.job_thread import DIED
 
 pytestmark = pytest.mark.ui
 KILLED = "it was killed by SIGKILL"
-
-
-@pytest.fixture
-def bench(qtbot, theme) -> Iterator[Bench]:
-    made = Bench()
-    made.window.show()
-    yield made
-    made.close()
 
 
 def states(bench: Bench, *names: str) -> None:

@@ -11,6 +11,7 @@ from tests.ui.stand_ins import Bench
 from ui.session import Key
 from ui.solid_mode import SolidMode
 from ui.solids import REST_MS
+from ui.tables import table_text
 
 pytestmark = pytest.mark.ui
 TEETH = "pair.pinion_teeth"
@@ -61,7 +62,7 @@ def test_a_gear_is_asked_for_when_it_comes_into_sight(bench: Bench, mode: SolidM
     finish(bench, qtbot, mode)
     settle(mode)
     assert state(bench) == "Up to date"
-    assert "Wheel" in bench.window.solid_panel.properties.text_table()
+    assert "Wheel" in table_text(bench.window.solid_panel.properties.table)
 
 
 def test_the_pair_asks_for_what_is_missing_of_it(bench: Bench, mode: SolidMode, qtbot) -> None:

@@ -26,6 +26,7 @@ from ui.mesh_bar import MeshBar
 from ui.properties_table import PropertiesTable
 from ui.section import Plane
 from ui.solid_words import measured
+from ui.tables import table_text
 
 pytestmark = pytest.mark.ui
 
@@ -106,7 +107,7 @@ def test_a_material_gives_the_density_and_a_density_the_material(qtbot) -> None:
     qtbot.addWidget(table)
     table.show_results({"wheel": solid_of(Design(), "wheel")})
     table.material.setCurrentIndex(4)
-    assert table.density == MATERIALS[4].density and "Mass\t2.700\tg" in table.text_table()
+    assert table.density == MATERIALS[4].density and "Mass, g\t2.700" in table_text(table.table)
     for text, name in (("8500", "Brass"), ("1234,5", "Custom"), ("7850", "Steel")):
         table.density_field.setText(text)
         table.density_field.textEdited.emit(text)
