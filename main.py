@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import os
 import sys
 from argparse import Namespace
-from collections.abc import Sequence
+from collections.abc import MutableMapping, Sequence
 from pathlib import Path
 
 COMMANDS = ("info", "compare", "points", "export", "verify", "contact", "measure", "report", "screenshot")
@@ -41,6 +42,15 @@ def _take_picture(args: Namespace) -> int:
     return take_picture(args)
 
 
+def give_back_search_path(environment: MutableMapping[str, str]) -> None:
+    """Other programs, as the browser that a link opens, are not to load the libraries of the bundle."""
+    before = environment.pop("LD_LIBRARY_PATH_ORIG", None)
+    environment.pop("LD_LIBRARY_PATH", None)
+    if before is not None:
+        environment["LD_LIBRARY_PATH"] = before
+    environment["PYINSTALLER_RESET_ENVIRONMENT"] = "1"  # the bundle, started again, sets its path again
+
+
 def _looks_like_a_command(word: str) -> bool:
     return word.replace("-", "").isalpha() and not word.startswith("-") and not Path(word).exists()
 
@@ -58,4 +68,5 @@ if __name__ == "__main__":
         import multiprocessing
 
         multiprocessing.freeze_support()  # the CAD process of a bundle is this program again
+        give_back_search_path(os.environ)
     sys.exit(main())

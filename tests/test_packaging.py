@@ -21,6 +21,8 @@ from typing import Any
 import pytest
 from packaging.utils import canonicalize_name
 
+import main as door
+
 ROOT = Path(__file__).resolve().parents[1]
 PACKAGES = ("gearstudio", "ui")
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
@@ -117,6 +119,16 @@ def test_the_bundle_knows_the_versions_that_the_program_tells(bundle: Recorded) 
             words = (node.value for node in ast.walk(tree) if isinstance(node, ast.Constant))
             told |= {canonicalize_name(word) for word in words if isinstance(word, str)} & pinned
     assert told and told <= bundle.versions
+
+
+@pytest.mark.parametrize("before", [None, "/opt/lib"])
+def test_programs_started_by_the_bundle_do_not_load_its_libraries(before: str | None) -> None:
+    environment = {"LD_LIBRARY_PATH": "/bundle/_internal", "HOME": "/home/a"}
+    if before is not None:
+        environment |= {"LD_LIBRARY_PATH": f"/bundle/_internal:{before}", "LD_LIBRARY_PATH_ORIG": before}
+    door.give_back_search_path(environment)
+    assert environment.get("LD_LIBRARY_PATH") == before and "LD_LIBRARY_PATH_ORIG" not in environment
+    assert environment["HOME"] == "/home/a"
 
 
 def can_build() -> bool:
