@@ -123,12 +123,12 @@ def test_the_bundle_knows_the_versions_that_the_program_tells(bundle: Recorded) 
 
 @pytest.mark.parametrize("before", [None, "/opt/lib"])
 def test_programs_started_by_the_bundle_do_not_load_its_libraries(before: str | None) -> None:
-    environment = {"LD_LIBRARY_PATH": "/bundle/_internal", "HOME": "/home/a"}
+    environment = {"LD_LIBRARY_PATH": "/bundle/_internal", "HOME": "/users/a"}
     if before is not None:
         environment |= {"LD_LIBRARY_PATH": f"/bundle/_internal:{before}", "LD_LIBRARY_PATH_ORIG": before}
     door.give_back_search_path(environment)
     assert environment.get("LD_LIBRARY_PATH") == before and "LD_LIBRARY_PATH_ORIG" not in environment
-    assert environment["HOME"] == "/home/a"
+    assert environment["HOME"] == "/users/a"
 
 
 def can_build() -> bool:
