@@ -12,10 +12,6 @@
    <translation> und </translation>
   </message>
   <message>
-   <source> and {count} more</source>
-   <translation> und {count} weitere</translation>
-  </message>
-  <message>
    <source> or </source>
    <translation> oder </translation>
   </message>
@@ -404,8 +400,8 @@
    <translation>Eine gedrehte Kopie ist dieselbe Flanke eines anderen Zahns.</translation>
   </message>
   <message>
-   <source>A value with another unit can always be typed: 3in, 76.2mm.</source>
-   <translation>Ein Wert in einer anderen Einheit kann immer getippt werden: 3in, 76.2mm.</translation>
+   <source>A value with another unit can always be typed: 3in, {length}mm.</source>
+   <translation>Ein Wert in einer anderen Einheit kann immer getippt werden: 3in, {length}mm.</translation>
   </message>
   <message>
    <source>AP203</source>
@@ -1678,10 +1674,6 @@
   <message>
    <source>Differences</source>
    <translation>Unterschiede</translation>
-  </message>
-  <message>
-   <source>Different: {fields}</source>
-   <translation>Verschieden: {fields}</translation>
   </message>
   <message>
    <source>Differs from what is open in</source>
@@ -3544,6 +3536,10 @@
    <translation>Parameter und abgeleitete Werte beider Entwürfe</translation>
   </message>
   <message>
+   <source>Parameters that differ</source>
+   <translation>Abweichende Parameter</translation>
+  </message>
+  <message>
    <source>Parameters that the equation uses</source>
    <translation>Parameter, die die Gleichung benutzt</translation>
   </message>
@@ -3976,6 +3972,10 @@
    <translation>Ungesicherte Arbeit wiederherstellen</translation>
   </message>
   <message>
+   <source>Recovered</source>
+   <translation>Wiederhergestellt</translation>
+  </message>
+  <message>
    <source>Recovered version</source>
    <translation>Wiederhergestellter Stand</translation>
   </message>
@@ -4256,10 +4256,6 @@
    <translation>Gespeichert, aber keine Sicherung möglich: {reason}</translation>
   </message>
   <message>
-   <source>Save…</source>
-   <translation>Speichern…</translation>
-  </message>
-  <message>
    <source>Scale</source>
    <translation>Maßstab</translation>
   </message>
@@ -4298,6 +4294,10 @@
   <message>
    <source>Select all</source>
    <translation>Alles wählen</translation>
+  </message>
+  <message>
+   <source>Separate the arguments by semicolons, as in max(1,5; 2)</source>
+   <translation>Argumente durch Semikolons trennen, wie in max(1,5; 2)</translation>
   </message>
   <message>
    <source>Series of points</source>
@@ -4668,8 +4668,28 @@
    <translation>Der CAD-Kern ließ sich nicht starten. Modell ▸ CAD-Kern neu starten versucht es wieder.</translation>
   </message>
   <message>
-   <source>The CAD kernel stopped unexpectedly and is being restarted; nothing of the design is lost.</source>
-   <translation>Der CAD-Kern endete unerwartet und startet neu; vom Entwurf geht nichts verloren.</translation>
+   <source>The CAD kernel stopped twice at the same work ({work}), which was given up. It is started again for everything else; change something before you try this again.</source>
+   <translation>Der CAD-Kern ist zweimal bei derselben Arbeit abgestürzt ({work}); sie wurde aufgegeben. Für alles andere wird er neu gestartet; ändern Sie etwas, bevor Sie dies noch einmal versuchen.</translation>
+  </message>
+  <message>
+   <source>The CAD kernel stopped unexpectedly ({work}). It is being started again and then tries this once more; nothing of the design is lost.</source>
+   <translation>Der CAD-Kern wurde unerwartet beendet ({work}). Er wird neu gestartet und versucht dies dann noch einmal; vom Entwurf ist nichts verloren.</translation>
+  </message>
+  <message>
+   <source>The CAD kernel stopped unexpectedly ({work}). It was started again and has done this now; nothing is lost.</source>
+   <translation>Der CAD-Kern wurde unerwartet beendet ({work}). Er wurde neu gestartet und hat dies nun erledigt; nichts ist verloren.</translation>
+  </message>
+  <message>
+   <source>The CAD kernel stopped unexpectedly ({work}). It was started again and tries this once more; nothing of the design is lost.</source>
+   <translation>Der CAD-Kern wurde unerwartet beendet ({work}). Er wurde neu gestartet und versucht dies noch einmal; vom Entwurf ist nichts verloren.</translation>
+  </message>
+  <message>
+   <source>The CAD kernel stopped unexpectedly and is being started again; nothing of the design is lost.</source>
+   <translation>Der CAD-Kern wurde unerwartet beendet und wird neu gestartet; vom Entwurf ist nichts verloren.</translation>
+  </message>
+  <message>
+   <source>The CAD kernel stopped unexpectedly and was started again; nothing of the design is lost.</source>
+   <translation>Der CAD-Kern wurde unerwartet beendet und neu gestartet; vom Entwurf ist nichts verloren.</translation>
   </message>
   <message>
    <source>The CAD process had grown to {size} MB and was started anew; nothing is lost.</source>
@@ -4914,6 +4934,10 @@
    <translation>Die Arbeit: mittlere Abweichung ihrer drei Methoden; die Daten ihres Rads sind nicht gedruckt</translation>
   </message>
   <message>
+   <source>The parameters that differ, as they were saved and as they were recovered</source>
+   <translation>Die abweichenden Parameter, wie sie gespeichert und wie sie wiederhergestellt wurden</translation>
+  </message>
+  <message>
    <source>The picture is on the clipboard</source>
    <translation>Das Bild ist in der Zwischenablage</translation>
   </message>
@@ -5136,6 +5160,10 @@
   <message>
    <source>These are the values of an earlier design; of this one there are none: {error}</source>
    <translation>Dies sind Werte eines früheren Entwurfs; von diesem gibt es keine: {error}</translation>
+  </message>
+  <message>
+   <source>These panels share a place while the window is narrow</source>
+   <translation>Diese Felder teilen sich einen Platz, solange das Fenster schmal ist</translation>
   </message>
   <message>
    <source>These sizes make no blank; the field says why.</source>
@@ -5420,6 +5448,10 @@
   <message>
    <source>Type a command or a parameter</source>
    <translation>Befehl oder Parameter eingeben</translation>
+  </message>
+  <message>
+   <source>Type the range…</source>
+   <translation>Bereich eingeben…</translation>
   </message>
   <message>
    <source>Undercut margin</source>
@@ -6022,6 +6054,10 @@
    <translation>Ease-off</translation>
   </message>
   <message>
+   <source>empty</source>
+   <translation>leer</translation>
+  </message>
+  <message>
    <source>en</source>
    <translation>de</translation>
   </message>
@@ -6036,6 +6072,10 @@
   <message>
    <source>exact: tangent pitch cones, ρ_lim = r_c0</source>
    <translation>exakt: berührende Teilkegel, ρ_lim = r_c0</translation>
+  </message>
+  <message>
+   <source>export of {label}</source>
+   <translation>Export von {label}</translation>
   </message>
   <message>
    <source>face 0-1</source>
@@ -6558,6 +6598,10 @@
    <translation>kleinste</translation>
   </message>
   <message>
+   <source>solid of the {member}</source>
+   <translation>Volumenkörper: {member}</translation>
+  </message>
+  <message>
    <source>solids</source>
    <translation>Körper</translation>
   </message>
@@ -6612,6 +6656,10 @@
   <message>
    <source>the CAD kernel's own</source>
    <translation>das des CAD-Kerns</translation>
+  </message>
+  <message>
+   <source>the CAD process died each time it tried</source>
+   <translation>der CAD-Prozess ist bei jedem Versuch abgestürzt</translation>
   </message>
   <message>
    <source>the file is gone</source>
@@ -7183,6 +7231,10 @@ Ein Ende ziehen ändert den Bereich, Doppelklick gibt ihn ein. Grau: kein Wert</
    <translation>einem Messerkopfradius von {0} mm</translation>
   </message>
   <message>
+   <source>a document (PDF)</source>
+   <translation>ein Dokument (PDF)</translation>
+  </message>
+  <message>
    <source>a face is missing or not valid</source>
    <translation>eine Fläche fehlt oder ist ungültig</translation>
   </message>
@@ -7223,12 +7275,48 @@ Ein Ende ziehen ändert den Bereich, Doppelklick gibt ihn ein. Grau: kein Wert</
    <translation>Einbaufehler und Dicke der Tuschierpaste müssen endliche Zahlen sein</translation>
   </message>
   <message>
+   <source>a model (GLB)</source>
+   <translation>ein Modell (GLB)</translation>
+  </message>
+  <message>
+   <source>a model (STEP)</source>
+   <translation>ein Modell (STEP)</translation>
+  </message>
+  <message>
+   <source>a model (STL)</source>
+   <translation>ein Modell (STL)</translation>
+  </message>
+  <message>
    <source>a narrower face width</source>
    <translation>eine kleinere Zahnbreite</translation>
   </message>
   <message>
+   <source>a number in it has thousands of digits</source>
+   <translation>eine Zahl darin hat Tausende von Stellen</translation>
+  </message>
+  <message>
+   <source>a number needs digits on both sides of its point; write “{0} = {1}”</source>
+   <translation>eine Zahl braucht Ziffern auf beiden Seiten des Punktes; schreiben Sie „{0} = {1}“</translation>
+  </message>
+  <message>
+   <source>a number stands without a unit, which is always the same; write “{0} = {1}”</source>
+   <translation>eine Zahl steht ohne Einheit, denn die ist immer dieselbe; schreiben Sie „{0} = {1}“</translation>
+  </message>
+  <message>
    <source>a part of the path is a file, not a folder</source>
    <translation>ein Teil des Pfads ist eine Datei, kein Ordner</translation>
+  </message>
+  <message>
+   <source>a picture (GIF)</source>
+   <translation>ein Bild (GIF)</translation>
+  </message>
+  <message>
+   <source>a picture (JPEG)</source>
+   <translation>ein Bild (JPEG)</translation>
+  </message>
+  <message>
+   <source>a picture (PNG)</source>
+   <translation>ein Bild (PNG)</translation>
   </message>
   <message>
    <source>a picture needs a name that ends in {0}</source>
@@ -7283,12 +7371,20 @@ Ein Ende ziehen ändert den Bereich, Doppelklick gibt ihn ein. Grau: kein Wert</
    <translation>ein Spiralwinkel von {0}° am {1} dreht bei einem Achsversatz von {2} mm die Zähne am {3} gegen ihre Spiralrichtung, auf {4}°; {5} oder einen Achsversatz mit anderem Vorzeichen nehmen</translation>
   </message>
   <message>
+   <source>a text needs two straight quotation marks on one line</source>
+   <translation>ein Text braucht zwei gerade Anführungszeichen in einer Zeile</translation>
+  </message>
+  <message>
    <source>a value of type {0}</source>
    <translation>ein Wert vom Typ {0}</translation>
   </message>
   <message>
    <source>a whole number of more than 40 digits</source>
    <translation>eine ganze Zahl mit über 40 Ziffern</translation>
+  </message>
+  <message>
+   <source>a word needs straight quotation marks; write “{0} = "{1}"”</source>
+   <translation>ein Wort braucht gerade Anführungszeichen; schreiben Sie „{0} = "{1}"“</translation>
   </message>
   <message>
    <source>a {0} flank reaches into the root; the variant is too inaccurate for this design to make a tooth of</source>
@@ -7299,6 +7395,10 @@ Ein Ende ziehen ändert den Bereich, Doppelklick gibt ihn ein. Grau: kein Wert</
    <translation>Kopf- und Fußwinkel von {0} lassen an einem Ende der Breite {1} der mittleren Höhe, weniger als {2}; kleinere Winkel, die Standardverjüngung oder kleinere Zahnbreite nehmen</translation>
   </message>
   <message>
+   <source>an archive (ZIP), as 3MF models and office documents are</source>
+   <translation>ein Archiv (ZIP), wie es 3MF-Modelle und Office-Dokumente sind</translation>
+  </message>
+  <message>
    <source>an offset of {0} mm admits no pitch cones for these teeth, spiral angle and cutter</source>
    <translation>ein Achsversatz von {0} mm lässt für diese Zähne, Spiralwinkel und Messerkopf keine Teilkegel zu</translation>
   </message>
@@ -7307,8 +7407,16 @@ Ein Ende ziehen ändert den Bereich, Doppelklick gibt ihn ein. Grau: kein Wert</
    <translation>ein Achsversatz von {0} mm lässt dem Ritzel keinen Kopf- und Fußkegel</translation>
   </message>
   <message>
+   <source>another program is using it</source>
+   <translation>ein anderes Programm benutzt sie gerade</translation>
+  </message>
+  <message>
    <source>another tooth depth or more teeth</source>
    <translation>eine andere Zahnhöhe oder mehr Zähne</translation>
+  </message>
+  <message>
+   <source>ask who owns it to let you read it</source>
+   <translation>bitten Sie den Eigentümer um das Recht, sie zu lesen</translation>
   </message>
   <message>
    <source>base angle {0} rad is outside (0, pi/2)</source>
@@ -7331,12 +7439,56 @@ Ein Ende ziehen ändert den Bereich, Doppelklick gibt ihn ein. Grau: kein Wert</
    <translation>{0}, {1}, {2} wird gebaut</translation>
   </message>
   <message>
+   <source>check its name, it may have been moved</source>
+   <translation>prüfen Sie den Namen, vielleicht wurde sie verschoben</translation>
+  </message>
+  <message>
    <source>checking</source>
    <translation>wird geprüft</translation>
   </message>
   <message>
+   <source>choose a file in it</source>
+   <translation>wählen Sie eine Datei darin</translation>
+  </message>
+  <message>
+   <source>choose a file that GearStudio saved, NAME.gear.toml</source>
+   <translation>wählen Sie eine Datei, die GearStudio gespeichert hat, NAME.gear.toml</translation>
+  </message>
+  <message>
+   <source>choose a shorter one</source>
+   <translation>wählen Sie einen kürzeren</translation>
+  </message>
+  <message>
+   <source>choose another disk</source>
+   <translation>wählen Sie einen anderen Datenträger</translation>
+  </message>
+  <message>
+   <source>choose another disk, and have this one checked</source>
+   <translation>wählen Sie einen anderen Datenträger und lassen Sie diesen prüfen</translation>
+  </message>
+  <message>
+   <source>choose another folder</source>
+   <translation>wählen Sie einen anderen Ordner</translation>
+  </message>
+  <message>
+   <source>choose another folder, or ask who owns this one</source>
+   <translation>wählen Sie einen anderen Ordner oder fragen Sie, wem dieser gehört</translation>
+  </message>
+  <message>
+   <source>choose another folder, or make this one first</source>
+   <translation>wählen Sie einen anderen Ordner oder legen Sie diesen zuerst an</translation>
+  </message>
+  <message>
+   <source>choose another name</source>
+   <translation>wählen Sie einen anderen Namen</translation>
+  </message>
+  <message>
    <source>choosing faces</source>
    <translation>Flächen werden gewählt</translation>
+  </message>
+  <message>
+   <source>close it there and try again</source>
+   <translation>schließen Sie sie dort und versuchen Sie es noch einmal</translation>
   </message>
   <message>
    <source>closed valid </source>
@@ -7357,6 +7509,10 @@ Ein Ende ziehen ändert den Bereich, Doppelklick gibt ihn ein. Grau: kein Wert</
   <message>
    <source>convergence</source>
    <translation>Konvergenz</translation>
+  </message>
+  <message>
+   <source>copy the file from another place, and have this disk checked</source>
+   <translation>holen Sie die Datei von anderswo und lassen Sie diesen Datenträger prüfen</translation>
   </message>
   <message>
    <source>cutting of the {0}</source>
@@ -7391,12 +7547,8 @@ Ein Ende ziehen ändert den Bereich, Doppelklick gibt ihn ein. Grau: kein Wert</
    <translation>Filme werden als .mp4 oder .gif geschrieben</translation>
   </message>
   <message>
-   <source>format {0} is newer than this program understands; it reads format {1}</source>
-   <translation>Format {0} ist neuer, als dieses Programm versteht; es liest Format {1}</translation>
-  </message>
-  <message>
-   <source>format {0} is unknown; this program reads format {1}</source>
-   <translation>Format {0} ist unbekannt; dieses Programm liest Format {1}</translation>
+   <source>free some space, or choose another disk</source>
+   <translation>schaffen Sie Platz oder wählen Sie einen anderen Datenträger</translation>
   </message>
   <message>
    <source>geometry data sheet</source>
@@ -7435,6 +7587,18 @@ Ein Ende ziehen ändert den Bereich, Doppelklick gibt ihn ein. Grau: kein Wert</
    <translation>ist unterschnitten bei {0}, {1} mm von der Teilkegelspitze, Polarwinkel {2}° (Flächenverhältnis {3}, muss über {4} liegen)</translation>
   </message>
   <message>
+   <source>it cannot be read from line {0} on; compare it with a design that GearStudio saved</source>
+   <translation>sie ist ab Zeile {0} nicht lesbar; vergleichen Sie sie mit einem Entwurf, den GearStudio gespeichert hat</translation>
+  </message>
+  <message>
+   <source>it cannot be read to its end; compare it with a design that GearStudio saved</source>
+   <translation>sie ist nicht bis zum Ende lesbar; vergleichen Sie sie mit einem Entwurf, den GearStudio gespeichert hat</translation>
+  </message>
+  <message>
+   <source>it ended with exit status {0}</source>
+   <translation>er endete mit dem Status {0}</translation>
+  </message>
+  <message>
    <source>it failed to start {0} times; {1}</source>
    <translation>Start {0}-mal misslungen; {1}</translation>
   </message>
@@ -7445,6 +7609,14 @@ Ein Ende ziehen ändert den Bereich, Doppelklick gibt ihn ein. Grau: kein Wert</
   <message>
    <source>it is a model of another gear, or its axis is not the z axis</source>
    <translation>es ist das Modell eines anderen Rads, oder seine Achse ist nicht die z-Achse</translation>
+  </message>
+  <message>
+   <source>it stopped answering</source>
+   <translation>er antwortete nicht mehr</translation>
+  </message>
+  <message>
+   <source>it was killed by {0}</source>
+   <translation>er wurde durch {0} beendet</translation>
   </message>
   <message>
    <source>it was made of another state of the design: {0} changed since</source>
@@ -7491,6 +7663,14 @@ Ein Ende ziehen ändert den Bereich, Doppelklick gibt ihn ein. Grau: kein Wert</
    <translation>Zeile {0} hat {1} Spalte(n); x, y, z oder x, y, z, nx, ny, nz angeben, oder die Spalten in einer Kopfzeile benennen</translation>
   </message>
   <message>
+   <source>line {0} is not UTF-8 text; save the file as UTF-8 in your editor</source>
+   <translation>Zeile {0} ist kein UTF-8-Text; speichern Sie die Datei in Ihrem Editor als UTF-8</translation>
+  </message>
+  <message>
+   <source>line {0}, “{1}”: {2}</source>
+   <translation>Zeile {0}, „{1}“: {2}</translation>
+  </message>
+  <message>
    <source>line {0}: {1} is not a finite number</source>
    <translation>Zeile {0}: {1} ist keine endliche Zahl</translation>
   </message>
@@ -7521,10 +7701,6 @@ Ein Ende ziehen ändert den Bereich, Doppelklick gibt ihn ein. Grau: kein Wert</
   <message>
    <source>meshing of the {0}</source>
    <translation>Vernetzung: {0}</translation>
-  </message>
-  <message>
-   <source>missing in {0}; write format = {1} in the first line</source>
-   <translation>fehlt in {0}; format = {1} in die erste Zeile schreiben</translation>
   </message>
   <message>
    <source>more pinion teeth, a larger spiral angle or shallower teeth</source>
@@ -7579,6 +7755,14 @@ Ein Ende ziehen ändert den Bereich, Doppelklick gibt ihn ein. Grau: kein Wert</
    <translation>keine der {0} Flächen ist eine Flanke vom {1}; {2}</translation>
   </message>
   <message>
+   <source>nothing in it belongs to a design of GearStudio; {0}</source>
+   <translation>nichts darin gehört zu einem Entwurf von GearStudio; {0}</translation>
+  </message>
+  <message>
+   <source>numbers in a design file have a point, not a comma; write “{0} = {1}.{2}”</source>
+   <translation>Zahlen in einer Entwurfsdatei haben einen Punkt, kein Komma; schreiben Sie „{0} = {1}.{2}“</translation>
+  </message>
+  <message>
    <source>of a pair only the part 'gear' is written, not {0}</source>
    <translation>von einem Paar wird nur der Teil 'gear' geschrieben, nicht {0}</translation>
   </message>
@@ -7593,10 +7777,6 @@ Ein Ende ziehen ändert den Bereich, Doppelklick gibt ihn ein. Grau: kein Wert</
   <message>
    <source>pipe along the tooth trace</source>
    <translation>Rohr entlang der Flankenlinie</translation>
-  </message>
-  <message>
-   <source>pitch angles {0}° and {1}°, spiral angles {2}° and {3}°</source>
-   <translation>Teilkegelwinkel {0}° und {1}°, Spiralwinkel {2}° und {3}°</translation>
   </message>
   <message>
    <source>placing the tooth spaces</source>
@@ -7659,6 +7839,10 @@ Ein Ende ziehen ändert den Bereich, Doppelklick gibt ihn ein. Grau: kein Wert</
    <translation>{0}, {1} wird untersucht</translation>
   </message>
   <message>
+   <source>tables or lists in it are nested too deeply for a design</source>
+   <translation>Tabellen oder Listen darin sind für einen Entwurf zu tief geschachtelt</translation>
+  </message>
+  <message>
    <source>take less misalignment</source>
    <translation>kleinere Einbaufehler nehmen</translation>
   </message>
@@ -7679,20 +7863,12 @@ Ein Ende ziehen ändert den Bereich, Doppelklick gibt ihn ein. Grau: kein Wert</
    <translation>der CAD-Kern kann dies nicht als {0} lesen; es ist vielleicht abgeschnitten oder beschädigt</translation>
   </message>
   <message>
-   <source>the CAD kernel could not write the STEP file</source>
-   <translation>der CAD-Kern konnte die STEP-Datei nicht schreiben</translation>
-  </message>
-  <message>
-   <source>the CAD kernel could not write the {0} file; the disk may be full</source>
-   <translation>der CAD-Kern konnte die {0}-Datei nicht schreiben; die Platte ist vielleicht voll</translation>
+   <source>the CAD kernel could not write the {0} file and gave no reason; try another format or folder</source>
+   <translation>der CAD-Kern konnte die {0}-Datei nicht schreiben und nannte keinen Grund; versuchen Sie ein anderes Format oder einen anderen Ordner</translation>
   </message>
   <message>
    <source>the CAD kernel made no face of the surface ({0})</source>
    <translation>der CAD-Kern machte aus der Fläche kein Face ({0})</translation>
-  </message>
-  <message>
-   <source>the CAD process died each time it tried: {0}</source>
-   <translation>der CAD-Prozess endete bei jedem Versuch: {0}</translation>
   </message>
   <message>
    <source>the arc of {0} mm does not cross {1} from {2} to {3} mm at less than {4}°; {5}</source>
@@ -7723,6 +7899,10 @@ Ein Ende ziehen ändert den Bereich, Doppelklick gibt ihn ein. Grau: kein Wert</
    <translation>der Kante einer Endfase konnte nicht gefolgt werden</translation>
   </message>
   <message>
+   <source>the file is empty and holds no design; {0}, or an earlier copy of it</source>
+   <translation>die Datei ist leer und enthält keinen Entwurf; {0}, oder eine frühere Kopie</translation>
+  </message>
+  <message>
    <source>the file is gone; its record is still there</source>
    <translation>die Datei ist fort; ihr Prüfbericht ist noch da</translation>
   </message>
@@ -7743,12 +7923,8 @@ Ein Ende ziehen ändert den Bereich, Doppelklick gibt ihn ein. Grau: kein Wert</
    <translation>die Fußrundungen benachbarter Zähne überschneiden sich ({0}), so klein sie auch sind</translation>
   </message>
   <message>
-   <source>the film could not be encoded</source>
-   <translation>der Film konnte nicht kodiert werden</translation>
-  </message>
-  <message>
-   <source>the film could not be encoded; the disk may be full</source>
-   <translation>der Film konnte nicht kodiert werden; die Platte ist vielleicht voll</translation>
+   <source>the film could not be encoded; try a smaller picture, or the other kind of file</source>
+   <translation>der Film konnte nicht kodiert werden; versuchen Sie ein kleineres Bild oder die andere Art von Datei</translation>
   </message>
   <message>
    <source>the flank is undercut below the start of contact</source>
@@ -7779,6 +7955,10 @@ Ein Ende ziehen ändert den Bereich, Doppelklick gibt ihn ein. Grau: kein Wert</
    <translation>die Kopfzeile sagt {0}; die Punkte in mm umrechnen</translation>
   </message>
   <message>
+   <source>the heading of a table stands alone on its line and between brackets, as “[pair]”</source>
+   <translation>die Überschrift einer Tabelle steht allein in ihrer Zeile und in eckigen Klammern, wie „[pair]“</translation>
+  </message>
+  <message>
    <source>the heel</source>
    <translation>die Ferse</translation>
   </message>
@@ -7807,16 +7987,16 @@ Ein Ende ziehen ändert den Bereich, Doppelklick gibt ihn ein. Grau: kein Wert</
    <translation>der Name ist zu lang</translation>
   </message>
   <message>
+   <source>the number of the format is missing; write format = {0} in the first line</source>
+   <translation>die Nummer des Formats fehlt; schreiben Sie format = {0} in die erste Zeile</translation>
+  </message>
+  <message>
    <source>the order of convergence takes three constructions or more</source>
    <translation>die Konvergenzordnung braucht drei oder mehr Aufbauten</translation>
   </message>
   <message>
    <source>the part {0} is not offered; parts: {1}</source>
    <translation>der Teil {0} wird nicht angeboten; Teile: {1}</translation>
-  </message>
-  <message>
-   <source>the pinion's {0} flank {1}; {2}</source>
-   <translation>Ritzelflanke {0} {1}; {2}</translation>
   </message>
   <message>
    <source>the points are {0} mm rms from this {1}'s flanks as they lie; they fit when the best fit may turn and shift the part</source>
@@ -7879,6 +8059,10 @@ Ein Ende ziehen ändert den Bereich, Doppelklick gibt ihn ein. Grau: kein Wert</
    <translation>die Zähne bis zu ihren Fersenecken</translation>
   </message>
   <message>
+   <source>the text is not UTF-8 but UTF-16; save the file as UTF-8 in your editor</source>
+   <translation>der Text ist nicht UTF-8, sondern UTF-16; speichern Sie die Datei in Ihrem Editor als UTF-8</translation>
+  </message>
+  <message>
    <source>the tilted root line</source>
    <translation>die geneigte Fußlinie</translation>
   </message>
@@ -7893,6 +8077,18 @@ Ein Ende ziehen ändert den Bereich, Doppelklick gibt ihn ein. Grau: kein Wert</
   <message>
    <source>the toe</source>
    <translation>der Zehe</translation>
+  </message>
+  <message>
+   <source>the value after the sign = is missing; put it there, or take the line out to have the usual “{0}”</source>
+   <translation>der Wert nach dem Zeichen = fehlt; setzen Sie ihn ein oder löschen Sie die Zeile, dann gilt „{0}“ wie üblich</translation>
+  </message>
+  <message>
+   <source>the value is empty; {0}</source>
+   <translation>der Wert ist leer; {0}</translation>
+  </message>
+  <message>
+   <source>the value is neither a number, as “3.5”, nor a text between straight quotation marks</source>
+   <translation>der Wert ist weder eine Zahl, wie „3.5“, noch ein Text in geraden Anführungszeichen</translation>
   </message>
   <message>
    <source>the volume differs by {0}</source>
@@ -7925,10 +8121,6 @@ Ein Ende ziehen ändert den Bereich, Doppelklick gibt ihn ein. Grau: kein Wert</
   <message>
    <source>the {0}'s flanks are up to {1} µm from those of the design, which a rotating line cannot sweep; the faces are held against the flanks that it does sweep</source>
    <translation>die Flanken am {0} liegen bis {1} µm von denen des Entwurfs, die eine rollende Gerade nicht überstreicht; geprüft wird gegen die, die sie überstreicht</translation>
-  </message>
-  <message>
-   <source>the {0}'s teeth are pointed ({1} mm at the tip); {2}</source>
-   <translation>die Zähne am {0} sind spitz ({1} mm am Kopf); {2}</translation>
   </message>
   <message>
    <source>the {0}'s teeth are pointed below their face cone</source>
@@ -7999,6 +8191,10 @@ Ein Ende ziehen ändert den Bereich, Doppelklick gibt ihn ein. Grau: kein Wert</
    <translation>dies ist keine vollständige {0}-Datei; sie ist vielleicht abgeschnitten oder beschädigt</translation>
   </message>
   <message>
+   <source>this is no heading of a table, as “[pair]”, no entry, as “pinion_teeth = 17”, and no comment after #</source>
+   <translation>dies ist keine Überschrift einer Tabelle, wie „[pair]“, kein Eintrag, wie „pinion_teeth = 17“, und kein Kommentar nach #</translation>
+  </message>
+  <message>
    <source>this is no record of an export, or a damaged one; export again</source>
    <translation>dies ist kein Exportbericht oder ein beschädigter; neu exportieren</translation>
   </message>
@@ -8007,12 +8203,20 @@ Ein Ende ziehen ändert den Bereich, Doppelklick gibt ihn ein. Grau: kein Wert</
    <translation>dies ist keine Wiederherstellungsdatei von GearStudio ({0})</translation>
   </message>
   <message>
+   <source>this is no text, so no design of GearStudio; {0}</source>
+   <translation>dies ist kein Text, also kein Entwurf von GearStudio; {0}</translation>
+  </message>
+  <message>
    <source>this is not a file name</source>
    <translation>dies ist kein Dateiname</translation>
   </message>
   <message>
    <source>this is not the {0} {1} of this design: what is in it fills {2} mm</source>
    <translation>dies ist nicht {0}, {1} aus diesem Entwurf: der Inhalt füllt {2} mm</translation>
+  </message>
+  <message>
+   <source>this is {0}, no design of GearStudio; {1}</source>
+   <translation>dies ist {0}, kein Entwurf von GearStudio; {1}</translation>
   </message>
   <message>
    <source>this misalignment takes {0} mm of backlash that the pair does not have: the teeth jam; give more backlash</source>
@@ -8059,20 +8263,8 @@ Ein Ende ziehen ändert den Bereich, Doppelklick gibt ihn ein. Grau: kein Wert</
    <translation>unbekannter Abstand {0}; eines von {1} nehmen</translation>
   </message>
   <message>
-   <source>use a depth factor of {0} with a mean addendum factor of {1}</source>
-   <translation>Zahnhöhenfaktor {0} mit mittlerem Kopfhöhenfaktor {1} nehmen</translation>
-  </message>
-  <message>
    <source>use a larger clearance or shallower teeth</source>
    <translation>ein größeres Kopfspiel oder niedrigere Zähne verwenden</translation>
-  </message>
-  <message>
-   <source>use a mean addendum factor of {0} (a profile shift of the pinion of {1})</source>
-   <translation>mittleren Kopfhöhenfaktor {0} nehmen (Profilverschiebung des Ritzels {1})</translation>
-  </message>
-  <message>
-   <source>use a pressure angle of {0}° with a mean addendum factor of {1}</source>
-   <translation>Eingriffswinkel {0}° mit mittlerem Kopfhöhenfaktor {1} nehmen</translation>
   </message>
   <message>
    <source>use a smaller clearance, or other depths that leave the teeth more space at the root</source>
@@ -8101,10 +8293,6 @@ Ein Ende ziehen ändert den Bereich, Doppelklick gibt ihn ein. Grau: kein Wert</
   <message>
    <source>use at most {0} mm</source>
    <translation>höchstens {0} mm nehmen</translation>
-  </message>
-  <message>
-   <source>use more pinion teeth or a larger spiral angle</source>
-   <translation>mehr Ritzelzähne oder größeren Spiralwinkel nehmen</translation>
   </message>
   <message>
    <source>use {0}</source>
@@ -8159,6 +8347,10 @@ Ein Ende ziehen ändert den Bereich, Doppelklick gibt ihn ein. Grau: kein Wert</
    <translation>{0} kann nicht als {1} geschrieben werden; Formate: {2}</translation>
   </message>
   <message>
+   <source>{0} is a text; {1}, with a point and without quotation marks</source>
+   <translation>{0} ist ein Text; {1}, mit einem Punkt und ohne Anführungszeichen</translation>
+  </message>
+  <message>
    <source>{0} is above the most of {1}{2}; {3}</source>
    <translation>{0} liegt über dem Höchstwert {1}{2}; {3}</translation>
   </message>
@@ -8169,6 +8361,10 @@ Ein Ende ziehen ändert den Bereich, Doppelklick gibt ihn ein. Grau: kein Wert</
   <message>
    <source>{0} is more than the wheel's {1} teeth; the pinion is the member with fewer: exchange them</source>
    <translation>{0} ist mehr als die {1} Zähne des Rads; das Ritzel hat weniger Zähne: beide tauschen</translation>
+  </message>
+  <message>
+   <source>{0} is newer than format {1}, which this GearStudio reads; update GearStudio to open the file, in which nothing was changed</source>
+   <translation>{0} ist neuer als Format {1}, das dieses GearStudio liest; aktualisieren Sie GearStudio, um die Datei zu öffnen. Sie wurde nicht verändert</translation>
   </message>
   <message>
    <source>{0} is not a design; a design is a table of keys</source>
@@ -8205,6 +8401,10 @@ Ein Ende ziehen ändert den Bereich, Doppelklick gibt ihn ein. Grau: kein Wert</
   <message>
    <source>{0} is too narrow to make a tooth; use at least {1}</source>
    <translation>{0} ist zu schmal für einen Zahn; mindestens {1} nehmen</translation>
+  </message>
+  <message>
+   <source>{0} is unknown; this GearStudio reads format {1}</source>
+   <translation>{0} ist unbekannt; dieses GearStudio liest Format {1}</translation>
   </message>
   <message>
    <source>{0} leaves a member no addendum at the mean point; use a smaller profile shift or a larger addendum factor</source>
@@ -8331,26 +8531,6 @@ Ein Ende ziehen ändert den Bereich, Doppelklick gibt ihn ein. Grau: kein Wert</
    <translation>{0} µm blieben mit {1} Knoten, wo ein Schritt des Aufbaus {2} µm braucht; methods.tolerance_um erhöhen</translation>
   </message>
   <message>
-   <source>{0}: a number in it has thousands of digits</source>
-   <translation>{0}: eine Zahl darin hat Tausende von Ziffern</translation>
-  </message>
-  <message>
-   <source>{0}: line {1} is not UTF-8 text; save the file as UTF-8</source>
-   <translation>{0}: Zeile {1} ist kein UTF-8-Text; die Datei als UTF-8 speichern</translation>
-  </message>
-  <message>
-   <source>{0}: not a TOML file: tables or lists are nested too deeply</source>
-   <translation>{0}: keine TOML-Datei: Tabellen oder Listen sind zu tief verschachtelt</translation>
-  </message>
-  <message>
-   <source>{0}: not a TOML file: {1}</source>
-   <translation>{0}: keine TOML-Datei: {1}</translation>
-  </message>
-  <message>
-   <source>{0}: the file is empty; a design file begins with format = {1}</source>
-   <translation>{0}: die Datei ist leer; eine Entwurfsdatei beginnt mit format = {1}</translation>
-  </message>
-  <message>
    <source>{0}: the flanks touch on {1}: edge contact; less misalignment or more crowning avoids it</source>
    <translation>{0}: die Flanken berühren sich an {1}: Kantentragen; kleinere Einbaufehler oder mehr Balligkeit vermeidet es</translation>
   </message>
@@ -8369,6 +8549,10 @@ Ein Ende ziehen ändert den Bereich, Doppelklick gibt ihn ein. Grau: kein Wert</
   <message>
    <source>{0}° makes the {1}'s face cone, {2}°, open backwards (above 90°) as that of an internal gear; a smaller shaft angle avoids it</source>
    <translation>{0}° öffnet den Kopfkegel am {1}, {2}°, nach hinten (über 90°) wie bei einem Innenrad; ein kleinerer Achsenwinkel vermeidet es</translation>
+  </message>
+  <message>
+   <source>“{0}” stands in line {1} too; keep one of them</source>
+   <translation>„{0}“ steht auch in Zeile {1}; behalten Sie eine davon</translation>
   </message>
  </context>
 </TS>

@@ -12,10 +12,6 @@
    <translation>和</translation>
   </message>
   <message>
-   <source> and {count} more</source>
-   <translation>，另有 {count} 项</translation>
-  </message>
-  <message>
    <source> or </source>
    <translation>或</translation>
   </message>
@@ -404,8 +400,8 @@
    <translation>旋转副本是另一齿的同一齿面。</translation>
   </message>
   <message>
-   <source>A value with another unit can always be typed: 3in, 76.2mm.</source>
-   <translation>随时可以输入带其他单位的值：3in、76.2mm。</translation>
+   <source>A value with another unit can always be typed: 3in, {length}mm.</source>
+   <translation>随时可以输入带其他单位的值：3in、{length}mm。</translation>
   </message>
   <message>
    <source>AP203</source>
@@ -1678,10 +1674,6 @@
   <message>
    <source>Differences</source>
    <translation>差异</translation>
-  </message>
-  <message>
-   <source>Different: {fields}</source>
-   <translation>不同：{fields}</translation>
   </message>
   <message>
    <source>Differs from what is open in</source>
@@ -3544,6 +3536,10 @@
    <translation>两个设计的参数和导出值</translation>
   </message>
   <message>
+   <source>Parameters that differ</source>
+   <translation>不同的参数</translation>
+  </message>
+  <message>
    <source>Parameters that the equation uses</source>
    <translation>公式所用的参数</translation>
   </message>
@@ -3976,6 +3972,10 @@
    <translation>恢复未保存的工作</translation>
   </message>
   <message>
+   <source>Recovered</source>
+   <translation>恢复的</translation>
+  </message>
+  <message>
    <source>Recovered version</source>
    <translation>恢复版本</translation>
   </message>
@@ -4256,10 +4256,6 @@
    <translation>已保存，但无法备份：{reason}</translation>
   </message>
   <message>
-   <source>Save…</source>
-   <translation>保存…</translation>
-  </message>
-  <message>
    <source>Scale</source>
    <translation>比例</translation>
   </message>
@@ -4298,6 +4294,10 @@
   <message>
    <source>Select all</source>
    <translation>全选</translation>
+  </message>
+  <message>
+   <source>Separate the arguments by semicolons, as in max(1,5; 2)</source>
+   <translation>请用分号分隔参数，例如 max(1,5; 2)</translation>
   </message>
   <message>
    <source>Series of points</source>
@@ -4668,8 +4668,28 @@
    <translation>无法启动 CAD 内核。可用“模型 ▸ 重启 CAD 内核”重试。</translation>
   </message>
   <message>
-   <source>The CAD kernel stopped unexpectedly and is being restarted; nothing of the design is lost.</source>
-   <translation>CAD 内核意外停止，正在重启；设计没有丢失。</translation>
+   <source>The CAD kernel stopped twice at the same work ({work}), which was given up. It is started again for everything else; change something before you try this again.</source>
+   <translation>CAD 内核在同一项工作（{work}）上两次停止，该工作已放弃。内核正为其他工作重新启动；再次尝试之前请先作些更改。</translation>
+  </message>
+  <message>
+   <source>The CAD kernel stopped unexpectedly ({work}). It is being started again and then tries this once more; nothing of the design is lost.</source>
+   <translation>CAD 内核意外停止（{work}）。正在重新启动，随后会再试一次；设计没有任何丢失。</translation>
+  </message>
+  <message>
+   <source>The CAD kernel stopped unexpectedly ({work}). It was started again and has done this now; nothing is lost.</source>
+   <translation>CAD 内核意外停止（{work}）。已重新启动并完成了这项工作；没有任何丢失。</translation>
+  </message>
+  <message>
+   <source>The CAD kernel stopped unexpectedly ({work}). It was started again and tries this once more; nothing of the design is lost.</source>
+   <translation>CAD 内核意外停止（{work}）。已重新启动，正在再试一次；设计没有任何丢失。</translation>
+  </message>
+  <message>
+   <source>The CAD kernel stopped unexpectedly and is being started again; nothing of the design is lost.</source>
+   <translation>CAD 内核意外停止，正在重新启动；设计没有任何丢失。</translation>
+  </message>
+  <message>
+   <source>The CAD kernel stopped unexpectedly and was started again; nothing of the design is lost.</source>
+   <translation>CAD 内核意外停止，已重新启动；设计没有任何丢失。</translation>
   </message>
   <message>
    <source>The CAD process had grown to {size} MB and was started anew; nothing is lost.</source>
@@ -4914,6 +4934,10 @@
    <translation>论文：三种方法的平均偏差；其齿轮数据未给出</translation>
   </message>
   <message>
+   <source>The parameters that differ, as they were saved and as they were recovered</source>
+   <translation>不同的参数：保存的值和恢复的值</translation>
+  </message>
+  <message>
    <source>The picture is on the clipboard</source>
    <translation>图片已在剪贴板</translation>
   </message>
@@ -5136,6 +5160,10 @@
   <message>
    <source>These are the values of an earlier design; of this one there are none: {error}</source>
    <translation>这是先前设计的值；当前设计没有：{error}</translation>
+  </message>
+  <message>
+   <source>These panels share a place while the window is narrow</source>
+   <translation>窗口较窄时，这些面板共用一个位置</translation>
   </message>
   <message>
    <source>These sizes make no blank; the field says why.</source>
@@ -5420,6 +5448,10 @@
   <message>
    <source>Type a command or a parameter</source>
    <translation>键入命令或参数</translation>
+  </message>
+  <message>
+   <source>Type the range…</source>
+   <translation>输入范围…</translation>
   </message>
   <message>
    <source>Undercut margin</source>
@@ -6022,6 +6054,10 @@
    <translation>失配量</translation>
   </message>
   <message>
+   <source>empty</source>
+   <translation>空</translation>
+  </message>
+  <message>
    <source>en</source>
    <translation>zh</translation>
   </message>
@@ -6036,6 +6072,10 @@
   <message>
    <source>exact: tangent pitch cones, ρ_lim = r_c0</source>
    <translation>精确：节锥相切，ρ_lim = r_c0</translation>
+  </message>
+  <message>
+   <source>export of {label}</source>
+   <translation>导出 {label}</translation>
   </message>
   <message>
    <source>face 0-1</source>
@@ -6558,6 +6598,10 @@
    <translation>最小</translation>
   </message>
   <message>
+   <source>solid of the {member}</source>
+   <translation>{member}的实体</translation>
+  </message>
+  <message>
    <source>solids</source>
    <translation>实体</translation>
   </message>
@@ -6612,6 +6656,10 @@
   <message>
    <source>the CAD kernel's own</source>
    <translation>CAD 内核自身格式</translation>
+  </message>
+  <message>
+   <source>the CAD process died each time it tried</source>
+   <translation>CAD 进程每次尝试都中止了</translation>
   </message>
   <message>
    <source>the file is gone</source>
@@ -7183,6 +7231,10 @@ Drag an end of the bar to change the range, double-click to type it. Grey: no va
    <translation>刀盘半径 {0} mm</translation>
   </message>
   <message>
+   <source>a document (PDF)</source>
+   <translation>文档（PDF）</translation>
+  </message>
+  <message>
    <source>a face is missing or not valid</source>
    <translation>某个面缺失或无效</translation>
   </message>
@@ -7223,12 +7275,48 @@ Drag an end of the bar to change the range, double-click to type it. Grey: no va
    <translation>安装误差和涂料厚度必须是有限数</translation>
   </message>
   <message>
+   <source>a model (GLB)</source>
+   <translation>模型（GLB）</translation>
+  </message>
+  <message>
+   <source>a model (STEP)</source>
+   <translation>模型（STEP）</translation>
+  </message>
+  <message>
+   <source>a model (STL)</source>
+   <translation>模型（STL）</translation>
+  </message>
+  <message>
    <source>a narrower face width</source>
    <translation>较窄的齿宽</translation>
   </message>
   <message>
+   <source>a number in it has thousands of digits</source>
+   <translation>其中有一个数有几千位</translation>
+  </message>
+  <message>
+   <source>a number needs digits on both sides of its point; write “{0} = {1}”</source>
+   <translation>小数点两边都要有数字；请写 “{0} = {1}”</translation>
+  </message>
+  <message>
+   <source>a number stands without a unit, which is always the same; write “{0} = {1}”</source>
+   <translation>数字后面不写单位，单位始终不变；请写 “{0} = {1}”</translation>
+  </message>
+  <message>
    <source>a part of the path is a file, not a folder</source>
    <translation>路径的一部分是文件而非文件夹</translation>
+  </message>
+  <message>
+   <source>a picture (GIF)</source>
+   <translation>图片（GIF）</translation>
+  </message>
+  <message>
+   <source>a picture (JPEG)</source>
+   <translation>图片（JPEG）</translation>
+  </message>
+  <message>
+   <source>a picture (PNG)</source>
+   <translation>图片（PNG）</translation>
   </message>
   <message>
    <source>a picture needs a name that ends in {0}</source>
@@ -7283,12 +7371,20 @@ Drag an end of the bar to change the range, double-click to type it. Grey: no va
    <translation>{1}螺旋角 {0}°、偏置 {2} mm 会使{3}的齿反向，达 {4}°；{5}或取反号偏置</translation>
   </message>
   <message>
+   <source>a text needs two straight quotation marks on one line</source>
+   <translation>文本需要在同一行内用两个直引号括起来</translation>
+  </message>
+  <message>
    <source>a value of type {0}</source>
    <translation>类型为 {0} 的值</translation>
   </message>
   <message>
    <source>a whole number of more than 40 digits</source>
    <translation>超过 40 位的整数</translation>
+  </message>
+  <message>
+   <source>a word needs straight quotation marks; write “{0} = "{1}"”</source>
+   <translation>单词需要直引号；请写 “{0} = "{1}"”</translation>
   </message>
   <message>
    <source>a {0} flank reaches into the root; the variant is too inaccurate for this design to make a tooth of</source>
@@ -7299,6 +7395,10 @@ Drag an end of the bar to change the range, double-click to type it. Grey: no va
    <translation>齿顶角和齿根角 {0} 使齿宽一端仅余中点齿高的 {1}，小于 {2}；请用较小的角、标准收缩或较窄齿宽</translation>
   </message>
   <message>
+   <source>an archive (ZIP), as 3MF models and office documents are</source>
+   <translation>压缩包（ZIP），3MF 模型和办公文档也是这种文件</translation>
+  </message>
+  <message>
    <source>an offset of {0} mm admits no pitch cones for these teeth, spiral angle and cutter</source>
    <translation>偏置 {0} mm 对此齿数、螺旋角和刀盘无法得到节锥</translation>
   </message>
@@ -7307,8 +7407,16 @@ Drag an end of the bar to change the range, double-click to type it. Grey: no va
    <translation>偏置 {0} mm 使小轮没有面锥和根锥</translation>
   </message>
   <message>
+   <source>another program is using it</source>
+   <translation>另一个程序正在使用它</translation>
+  </message>
+  <message>
    <source>another tooth depth or more teeth</source>
    <translation>其他齿高或更多齿数</translation>
+  </message>
+  <message>
+   <source>ask who owns it to let you read it</source>
+   <translation>请向文件所有者申请读取权限</translation>
   </message>
   <message>
    <source>base angle {0} rad is outside (0, pi/2)</source>
@@ -7331,12 +7439,56 @@ Drag an end of the bar to change the range, double-click to type it. Grey: no va
    <translation>正在构建{0}，{1}，{2}</translation>
   </message>
   <message>
+   <source>check its name, it may have been moved</source>
+   <translation>请检查名称，文件可能已被移动</translation>
+  </message>
+  <message>
    <source>checking</source>
    <translation>正在检查</translation>
   </message>
   <message>
+   <source>choose a file in it</source>
+   <translation>请选择其中的文件</translation>
+  </message>
+  <message>
+   <source>choose a file that GearStudio saved, NAME.gear.toml</source>
+   <translation>请选择由 GearStudio 保存的文件（NAME.gear.toml）</translation>
+  </message>
+  <message>
+   <source>choose a shorter one</source>
+   <translation>请使用更短的名称</translation>
+  </message>
+  <message>
+   <source>choose another disk</source>
+   <translation>请选择另一个磁盘</translation>
+  </message>
+  <message>
+   <source>choose another disk, and have this one checked</source>
+   <translation>请选择另一个磁盘，并检查这个磁盘</translation>
+  </message>
+  <message>
+   <source>choose another folder</source>
+   <translation>请选择另一个文件夹</translation>
+  </message>
+  <message>
+   <source>choose another folder, or ask who owns this one</source>
+   <translation>请选择另一个文件夹，或询问此文件夹的所有者</translation>
+  </message>
+  <message>
+   <source>choose another folder, or make this one first</source>
+   <translation>请选择另一个文件夹，或先创建此文件夹</translation>
+  </message>
+  <message>
+   <source>choose another name</source>
+   <translation>请使用另一个名称</translation>
+  </message>
+  <message>
    <source>choosing faces</source>
    <translation>正在选择面</translation>
+  </message>
+  <message>
+   <source>close it there and try again</source>
+   <translation>请在那里关闭后再试</translation>
   </message>
   <message>
    <source>closed valid </source>
@@ -7357,6 +7509,10 @@ Drag an end of the bar to change the range, double-click to type it. Grey: no va
   <message>
    <source>convergence</source>
    <translation>收敛</translation>
+  </message>
+  <message>
+   <source>copy the file from another place, and have this disk checked</source>
+   <translation>请从其他地方复制该文件，并检查此磁盘</translation>
   </message>
   <message>
    <source>cutting of the {0}</source>
@@ -7391,12 +7547,8 @@ Drag an end of the bar to change the range, double-click to type it. Grey: no va
    <translation>影片以 .mp4 或 .gif 写出</translation>
   </message>
   <message>
-   <source>format {0} is newer than this program understands; it reads format {1}</source>
-   <translation>格式 {0} 比本程序支持的新；本程序读取格式 {1}</translation>
-  </message>
-  <message>
-   <source>format {0} is unknown; this program reads format {1}</source>
-   <translation>未知格式 {0}；本程序读取格式 {1}</translation>
+   <source>free some space, or choose another disk</source>
+   <translation>请腾出空间，或选择另一个磁盘</translation>
   </message>
   <message>
    <source>geometry data sheet</source>
@@ -7435,6 +7587,18 @@ Drag an end of the bar to change the range, double-click to type it. Grey: no va
    <translation>在{0}附近根切，距节锥顶 {1} mm，极角 {2}°（面积比 {3}，须大于 {4}）</translation>
   </message>
   <message>
+   <source>it cannot be read from line {0} on; compare it with a design that GearStudio saved</source>
+   <translation>从第 {0} 行起无法读取；请与 GearStudio 保存的设计比较</translation>
+  </message>
+  <message>
+   <source>it cannot be read to its end; compare it with a design that GearStudio saved</source>
+   <translation>无法读到文件末尾；请与 GearStudio 保存的设计比较</translation>
+  </message>
+  <message>
+   <source>it ended with exit status {0}</source>
+   <translation>它以状态 {0} 结束</translation>
+  </message>
+  <message>
    <source>it failed to start {0} times; {1}</source>
    <translation>启动失败 {0} 次；{1}</translation>
   </message>
@@ -7445,6 +7609,14 @@ Drag an end of the bar to change the range, double-click to type it. Grey: no va
   <message>
    <source>it is a model of another gear, or its axis is not the z axis</source>
    <translation>这是另一齿轮的模型，或其轴不是 z 轴</translation>
+  </message>
+  <message>
+   <source>it stopped answering</source>
+   <translation>它不再响应</translation>
+  </message>
+  <message>
+   <source>it was killed by {0}</source>
+   <translation>它被 {0} 终止</translation>
   </message>
   <message>
    <source>it was made of another state of the design: {0} changed since</source>
@@ -7491,6 +7663,14 @@ Drag an end of the bar to change the range, double-click to type it. Grey: no va
    <translation>第 {0} 行有 {1} 列；请给出 x, y, z 或 x, y, z, nx, ny, nz，或在标题行中命名各列</translation>
   </message>
   <message>
+   <source>line {0} is not UTF-8 text; save the file as UTF-8 in your editor</source>
+   <translation>第 {0} 行不是 UTF-8 文本；请在编辑器中将文件另存为 UTF-8</translation>
+  </message>
+  <message>
+   <source>line {0}, “{1}”: {2}</source>
+   <translation>第 {0} 行 “{1}”：{2}</translation>
+  </message>
+  <message>
    <source>line {0}: {1} is not a finite number</source>
    <translation>第 {0} 行：{1} 不是有限数</translation>
   </message>
@@ -7521,10 +7701,6 @@ Drag an end of the bar to change the range, double-click to type it. Grey: no va
   <message>
    <source>meshing of the {0}</source>
    <translation>{0}的网格化</translation>
-  </message>
-  <message>
-   <source>missing in {0}; write format = {1} in the first line</source>
-   <translation>{0} 中缺失；请在首行写 format = {1}</translation>
   </message>
   <message>
    <source>more pinion teeth, a larger spiral angle or shallower teeth</source>
@@ -7579,6 +7755,14 @@ Drag an end of the bar to change the range, double-click to type it. Grey: no va
    <translation>{0} 个面中没有{1}的齿面；{2}</translation>
   </message>
   <message>
+   <source>nothing in it belongs to a design of GearStudio; {0}</source>
+   <translation>其中没有任何内容属于 GearStudio 的设计；{0}</translation>
+  </message>
+  <message>
+   <source>numbers in a design file have a point, not a comma; write “{0} = {1}.{2}”</source>
+   <translation>设计文件中的数字用小数点，不用逗号；请写 “{0} = {1}.{2}”</translation>
+  </message>
+  <message>
    <source>of a pair only the part 'gear' is written, not {0}</source>
    <translation>齿轮副只写出 'gear' 部分，不含 {0}</translation>
   </message>
@@ -7593,10 +7777,6 @@ Drag an end of the bar to change the range, double-click to type it. Grey: no va
   <message>
    <source>pipe along the tooth trace</source>
    <translation>沿齿线的管状扫掠</translation>
-  </message>
-  <message>
-   <source>pitch angles {0}° and {1}°, spiral angles {2}° and {3}°</source>
-   <translation>节锥角 {0}° 和 {1}°，螺旋角 {2}° 和 {3}°</translation>
   </message>
   <message>
    <source>placing the tooth spaces</source>
@@ -7659,6 +7839,10 @@ Drag an end of the bar to change the range, double-click to type it. Grey: no va
    <translation>正在研究 {0}，{1}</translation>
   </message>
   <message>
+   <source>tables or lists in it are nested too deeply for a design</source>
+   <translation>其中的表或列表嵌套过深，不是设计</translation>
+  </message>
+  <message>
    <source>take less misalignment</source>
    <translation>请减小安装误差</translation>
   </message>
@@ -7679,20 +7863,12 @@ Drag an end of the bar to change the range, double-click to type it. Grey: no va
    <translation>CAD 内核无法将其读作 {0}；可能不完整或已损坏</translation>
   </message>
   <message>
-   <source>the CAD kernel could not write the STEP file</source>
-   <translation>CAD 内核无法写 STEP 文件</translation>
-  </message>
-  <message>
-   <source>the CAD kernel could not write the {0} file; the disk may be full</source>
-   <translation>CAD 内核无法写 {0} 文件；磁盘可能已满</translation>
+   <source>the CAD kernel could not write the {0} file and gave no reason; try another format or folder</source>
+   <translation>CAD 内核无法写入 {0} 文件，且未说明原因；请尝试其他格式或文件夹</translation>
   </message>
   <message>
    <source>the CAD kernel made no face of the surface ({0})</source>
    <translation>CAD 内核未能由曲面生成面（{0}）</translation>
-  </message>
-  <message>
-   <source>the CAD process died each time it tried: {0}</source>
-   <translation>CAD 进程每次尝试都终止：{0}</translation>
   </message>
   <message>
    <source>the arc of {0} mm does not cross {1} from {2} to {3} mm at less than {4}°; {5}</source>
@@ -7723,6 +7899,10 @@ Drag an end of the bar to change the range, double-click to type it. Grey: no va
    <translation>无法跟踪端部倒角的边</translation>
   </message>
   <message>
+   <source>the file is empty and holds no design; {0}, or an earlier copy of it</source>
+   <translation>文件为空，不含任何设计；{0}，或其较早的副本</translation>
+  </message>
+  <message>
    <source>the file is gone; its record is still there</source>
    <translation>文件已不存在；其记录仍在</translation>
   </message>
@@ -7743,12 +7923,8 @@ Drag an end of the bar to change the range, double-click to type it. Grey: no va
    <translation>{0}相邻轮齿的圆角无论多小都会重叠</translation>
   </message>
   <message>
-   <source>the film could not be encoded</source>
-   <translation>影片无法编码</translation>
-  </message>
-  <message>
-   <source>the film could not be encoded; the disk may be full</source>
-   <translation>影片无法编码；磁盘可能已满</translation>
+   <source>the film could not be encoded; try a smaller picture, or the other kind of file</source>
+   <translation>影片无法编码；请尝试较小的画面或另一种文件类型</translation>
   </message>
   <message>
    <source>the flank is undercut below the start of contact</source>
@@ -7779,6 +7955,10 @@ Drag an end of the bar to change the range, double-click to type it. Grey: no va
    <translation>标题行单位为 {0}；请将点换算为 mm</translation>
   </message>
   <message>
+   <source>the heading of a table stands alone on its line and between brackets, as “[pair]”</source>
+   <translation>表标题单独占一行，并写在方括号内，如 “[pair]”</translation>
+  </message>
+  <message>
    <source>the heel</source>
    <translation>大端</translation>
   </message>
@@ -7807,16 +7987,16 @@ Drag an end of the bar to change the range, double-click to type it. Grey: no va
    <translation>名称过长</translation>
   </message>
   <message>
+   <source>the number of the format is missing; write format = {0} in the first line</source>
+   <translation>缺少格式号；请在第一行写 format = {0}</translation>
+  </message>
+  <message>
    <source>the order of convergence takes three constructions or more</source>
    <translation>收敛阶需要三个以上构造</translation>
   </message>
   <message>
    <source>the part {0} is not offered; parts: {1}</source>
    <translation>不提供部分 {0}；可用：{1}</translation>
-  </message>
-  <message>
-   <source>the pinion's {0} flank {1}; {2}</source>
-   <translation>小轮{0}齿面{1}；{2}</translation>
   </message>
   <message>
    <source>the points are {0} mm rms from this {1}'s flanks as they lie; they fit when the best fit may turn and shift the part</source>
@@ -7879,6 +8059,10 @@ Drag an end of the bar to change the range, double-click to type it. Grey: no va
    <translation>齿直至其大端角</translation>
   </message>
   <message>
+   <source>the text is not UTF-8 but UTF-16; save the file as UTF-8 in your editor</source>
+   <translation>文本不是 UTF-8，而是 UTF-16；请在编辑器中将文件另存为 UTF-8</translation>
+  </message>
+  <message>
    <source>the tilted root line</source>
    <translation>倾斜齿根线</translation>
   </message>
@@ -7893,6 +8077,18 @@ Drag an end of the bar to change the range, double-click to type it. Grey: no va
   <message>
    <source>the toe</source>
    <translation>小端</translation>
+  </message>
+  <message>
+   <source>the value after the sign = is missing; put it there, or take the line out to have the usual “{0}”</source>
+   <translation>等号后缺少数值；请补上，或删除该行以使用 “{0}” 的默认值</translation>
+  </message>
+  <message>
+   <source>the value is empty; {0}</source>
+   <translation>值为空；{0}</translation>
+  </message>
+  <message>
+   <source>the value is neither a number, as “3.5”, nor a text between straight quotation marks</source>
+   <translation>该值既不是数字（如 “3.5”），也不是直引号中的文本</translation>
   </message>
   <message>
    <source>the volume differs by {0}</source>
@@ -7925,10 +8121,6 @@ Drag an end of the bar to change the range, double-click to type it. Grey: no va
   <message>
    <source>the {0}'s flanks are up to {1} µm from those of the design, which a rotating line cannot sweep; the faces are held against the flanks that it does sweep</source>
    <translation>{0}齿面与设计的相差至多 {1} µm，滚动直线无法扫出设计齿面；各面与其所能扫出的齿面比较</translation>
-  </message>
-  <message>
-   <source>the {0}'s teeth are pointed ({1} mm at the tip); {2}</source>
-   <translation>{0}的齿变尖（齿顶 {1} mm）；{2}</translation>
   </message>
   <message>
    <source>the {0}'s teeth are pointed below their face cone</source>
@@ -7999,6 +8191,10 @@ Drag an end of the bar to change the range, double-click to type it. Grey: no va
    <translation>这不是完整的 {0} 文件；可能不完整或已损坏</translation>
   </message>
   <message>
+   <source>this is no heading of a table, as “[pair]”, no entry, as “pinion_teeth = 17”, and no comment after #</source>
+   <translation>这既不是表标题（如 “[pair]”），也不是条目（如 “pinion_teeth = 17”），也不是 # 后的注释</translation>
+  </message>
+  <message>
    <source>this is no record of an export, or a damaged one; export again</source>
    <translation>这不是导出记录，或已损坏；请重新导出</translation>
   </message>
@@ -8007,12 +8203,20 @@ Drag an end of the bar to change the range, double-click to type it. Grey: no va
    <translation>这不是 GearStudio 的恢复文件（{0}）</translation>
   </message>
   <message>
+   <source>this is no text, so no design of GearStudio; {0}</source>
+   <translation>这不是文本，因此不是 GearStudio 的设计；{0}</translation>
+  </message>
+  <message>
    <source>this is not a file name</source>
    <translation>这不是文件名</translation>
   </message>
   <message>
    <source>this is not the {0} {1} of this design: what is in it fills {2} mm</source>
    <translation>这不是本设计的 {0} {1}：其内容尺寸为 {2} mm</translation>
+  </message>
+  <message>
+   <source>this is {0}, no design of GearStudio; {1}</source>
+   <translation>这是{0}，不是 GearStudio 的设计；{1}</translation>
   </message>
   <message>
    <source>this misalignment takes {0} mm of backlash that the pair does not have: the teeth jam; give more backlash</source>
@@ -8059,20 +8263,8 @@ Drag an end of the bar to change the range, double-click to type it. Grey: no va
    <translation>未知间距 {0}；请用 {1} 之一</translation>
   </message>
   <message>
-   <source>use a depth factor of {0} with a mean addendum factor of {1}</source>
-   <translation>请用齿高系数 {0} 和中点齿顶高系数 {1}</translation>
-  </message>
-  <message>
    <source>use a larger clearance or shallower teeth</source>
    <translation>请使用较大的顶隙或较矮的轮齿</translation>
-  </message>
-  <message>
-   <source>use a mean addendum factor of {0} (a profile shift of the pinion of {1})</source>
-   <translation>请用中点齿顶高系数 {0}（小轮变位 {1}）</translation>
-  </message>
-  <message>
-   <source>use a pressure angle of {0}° with a mean addendum factor of {1}</source>
-   <translation>请用压力角 {0}° 和中点齿顶高系数 {1}</translation>
   </message>
   <message>
    <source>use a smaller clearance, or other depths that leave the teeth more space at the root</source>
@@ -8101,10 +8293,6 @@ Drag an end of the bar to change the range, double-click to type it. Grey: no va
   <message>
    <source>use at most {0} mm</source>
    <translation>请取至多 {0} mm</translation>
-  </message>
-  <message>
-   <source>use more pinion teeth or a larger spiral angle</source>
-   <translation>请用更多小轮齿数或较大螺旋角</translation>
   </message>
   <message>
    <source>use {0}</source>
@@ -8159,6 +8347,10 @@ Drag an end of the bar to change the range, double-click to type it. Grey: no va
    <translation>{0} 不能写成 {1}；格式：{2}</translation>
   </message>
   <message>
+   <source>{0} is a text; {1}, with a point and without quotation marks</source>
+   <translation>{0} 是文本；{1}，用小数点且不加引号</translation>
+  </message>
+  <message>
    <source>{0} is above the most of {1}{2}; {3}</source>
    <translation>{0} 大于最大值 {1}{2}；{3}</translation>
   </message>
@@ -8169,6 +8361,10 @@ Drag an end of the bar to change the range, double-click to type it. Grey: no va
   <message>
    <source>{0} is more than the wheel's {1} teeth; the pinion is the member with fewer: exchange them</source>
    <translation>{0} 多于大轮的 {1} 齿；小轮应为齿数少者：请交换</translation>
+  </message>
+  <message>
+   <source>{0} is newer than format {1}, which this GearStudio reads; update GearStudio to open the file, in which nothing was changed</source>
+   <translation>{0} 比本 GearStudio 可读的格式 {1} 新；请更新 GearStudio 后再打开该文件，文件未作任何更改</translation>
   </message>
   <message>
    <source>{0} is not a design; a design is a table of keys</source>
@@ -8205,6 +8401,10 @@ Drag an end of the bar to change the range, double-click to type it. Grey: no va
   <message>
    <source>{0} is too narrow to make a tooth; use at least {1}</source>
    <translation>{0} 太窄无法成齿；请取至少 {1}</translation>
+  </message>
+  <message>
+   <source>{0} is unknown; this GearStudio reads format {1}</source>
+   <translation>{0} 未知；本 GearStudio 读取格式 {1}</translation>
   </message>
   <message>
    <source>{0} leaves a member no addendum at the mean point; use a smaller profile shift or a larger addendum factor</source>
@@ -8331,26 +8531,6 @@ Drag an end of the bar to change the range, double-click to type it. Grey: no va
    <translation>{1} 个节点时剩余 {0} µm，而构造的一步需要 {2} µm；请增大 methods.tolerance_um</translation>
   </message>
   <message>
-   <source>{0}: a number in it has thousands of digits</source>
-   <translation>{0}：其中一个数有数千位</translation>
-  </message>
-  <message>
-   <source>{0}: line {1} is not UTF-8 text; save the file as UTF-8</source>
-   <translation>{0}：第 {1} 行不是 UTF-8 文本；请以 UTF-8 保存</translation>
-  </message>
-  <message>
-   <source>{0}: not a TOML file: tables or lists are nested too deeply</source>
-   <translation>{0}：不是 TOML 文件：表或列表嵌套过深</translation>
-  </message>
-  <message>
-   <source>{0}: not a TOML file: {1}</source>
-   <translation>{0}：不是 TOML 文件：{1}</translation>
-  </message>
-  <message>
-   <source>{0}: the file is empty; a design file begins with format = {1}</source>
-   <translation>{0}：文件为空；设计文件以 format = {1} 开头</translation>
-  </message>
-  <message>
    <source>{0}: the flanks touch on {1}: edge contact; less misalignment or more crowning avoids it</source>
    <translation>{0}：齿面在{1}接触：棱边接触；减小安装误差或加大鼓形可避免</translation>
   </message>
@@ -8369,6 +8549,10 @@ Drag an end of the bar to change the range, double-click to type it. Grey: no va
   <message>
    <source>{0}° makes the {1}'s face cone, {2}°, open backwards (above 90°) as that of an internal gear; a smaller shaft angle avoids it</source>
    <translation>{0}° 使{1}面锥角 {2}° 向后张开（超过 90°），如同内齿轮；减小轴交角可避免</translation>
+  </message>
+  <message>
+   <source>“{0}” stands in line {1} too; keep one of them</source>
+   <translation>“{0}” 在第 {1} 行也有；请只保留一处</translation>
   </message>
  </context>
 </TS>
