@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import (
     QDialog,
@@ -24,15 +24,7 @@ from ui.words import Said, told, tr
 
 
 class MessageBar(QFrame):
-    """One line about something the user should know, with Details and Copy; hidden when there is none.
-
-    Signals
-    -------
-    dismissed()
-        The user closed it.
-    """
-
-    dismissed = Signal()
+    """One line about something the user should know, with Details and Copy; hidden when there is none."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -63,7 +55,7 @@ class MessageBar(QFrame):
         close.setIconSize(QSize(14, 14))
         close.setToolTip(tr("Dismiss"))
         close.setAccessibleName(tr("Dismiss"))
-        close.clicked.connect(self._on_dismissed)
+        close.clicked.connect(self.hide)
         row = QHBoxLayout()
         row.setSpacing(8)
         row.addWidget(self._picture)
@@ -118,10 +110,6 @@ class MessageBar(QFrame):
     def refresh_icons(self) -> None:
         """Draw the icon in the theme's colour."""
         self._picture.setPixmap(icon(self._severity).pixmap(18, 18))
-
-    def _on_dismissed(self) -> None:
-        self.hide()
-        self.dismissed.emit()
 
 
 class ReportDialog(QDialog):

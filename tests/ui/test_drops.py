@@ -62,3 +62,11 @@ def test_a_window_is_this_program_again(monkeypatch) -> None:
     assert windows.command("a.gear.toml") == [sys.executable, str(ROOT / "main.py"), "a.gear.toml"]
     monkeypatch.setattr(sys, "frozen", True, raising=False)
     assert windows.command("a.gear.toml") == [sys.executable, "a.gear.toml"]
+
+
+@pytest.mark.usefixtures("german")
+def test_another_window_speaks_the_language_of_this_one(monkeypatch) -> None:
+    started: list[list[str]] = []
+    monkeypatch.setattr(windows.QProcess, "startDetached", lambda _program, rest: [not started.append(rest)])
+    assert windows.open_window("a.gear.toml")
+    assert started[0][-3:] == ["a.gear.toml", "--language", "de"]

@@ -7,6 +7,8 @@ from pathlib import Path
 
 from PySide6.QtCore import QProcess
 
+from ui.language import spoken
+
 PROGRAM = Path(__file__).resolve().parents[2] / "main.py"
 
 
@@ -17,6 +19,6 @@ def command(*arguments: str) -> list[str]:
 
 
 def open_window(*arguments: str) -> bool:
-    """Start another GearStudio; False when the system refuses."""
-    program, *rest = command(*arguments)
+    """Start another GearStudio in the language of this one; False when the system refuses."""
+    program, *rest = command(*arguments, "--language", spoken())
     return bool(QProcess.startDetached(program, rest)[0])
