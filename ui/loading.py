@@ -31,7 +31,20 @@ STAGES: Mapping[str, tuple[str, ...]] = {
     ),
     "charts": ("pyqtgraph", "ui.analysis.pages"),
 }
+QT = ("QtCore", "QtGui", "QtWidgets", "QtSvg", "QtOpenGL", "QtOpenGLWidgets", "QtTest")
+"""Modules of Qt that the stages need."""
 log = logging.getLogger(__name__)
+
+
+def make_qt_classes() -> None:
+    """Have all classes of Qt made now, to be called in the window's thread.
+
+    Each is made when it is first asked for, and the library that binds Python to Qt notes it in a table, which the
+    window's thread reads without the interpreter's lock whenever Qt asks an object for its class. When the imports made
+    hundreds of classes in their thread, the table was moved under the reader now and then, and the program ended.
+    """
+    for name in QT:
+        __import__(f"PySide6.{name}", None, None, ("*",), 0)
 
 
 class Loader(QObject):
@@ -68,6 +81,7 @@ class Loader(QObject):
     @Slot()
     def start(self) -> None:
         """Begin."""
+        make_qt_classes()
         self._thread.start()
 
     def stop(self) -> None:

@@ -3,15 +3,19 @@
 from __future__ import annotations
 
 import gc
+import subprocess
 import sys
 import threading
 import types
+from pathlib import Path
 from typing import ClassVar
 
 import pytest
 
 from ui.collecting import Collector
 from ui.loading import Loader
+
+ROOT = Path(__file__).resolve().parents[2]
 
 
 @pytest.fixture
@@ -110,3 +114,26 @@ def test_a_function_after_a_colon_is_called_in_the_thread(qtbot) -> None:
         loader.start()
     del sys.modules[module.__name__]
     assert callers == ["imports"]
+
+
+IMPORTS = """
+import importlib, sys
+import ui.app
+from ui.loading import STAGES, make_qt_classes
+make_qt_classes()
+def known():
+    return {(name, key) for name in list(sys.modules) if name.startswith("PySide6.Qt")
+            for key, value in vars(sys.modules[name]).items() if isinstance(value, type)}
+before = known()
+for modules in STAGES.values():
+    for module in modules:
+        importlib.import_module(module.partition(":")[0])
+print(sorted(known() - before))
+"""
+
+
+def test_the_thread_makes_no_classes_of_qt() -> None:
+    """Where it did, the window's thread could crash in the middle of any event."""
+    command = [sys.executable, "-c", IMPORTS]
+    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, timeout=120, check=True)
+    assert done.stdout.splitlines()[-1] == "[]"
