@@ -33,6 +33,8 @@ STAGES: Mapping[str, tuple[str, ...]] = {
 }
 QT = ("QtCore", "QtGui", "QtWidgets", "QtSvg", "QtOpenGL", "QtOpenGLWidgets", "QtTest")
 """Modules of Qt that the stages need."""
+
+_SPARE = 400
 log = logging.getLogger(__name__)
 
 
@@ -42,9 +44,12 @@ def make_qt_classes() -> None:
     Each is made when it is first asked for, and the library that binds Python to Qt notes it in a table, which the
     window's thread reads without the interpreter's lock whenever Qt asks an object for its class. When the imports made
     hundreds of classes in their thread, the table was moved under the reader now and then, and the program ended.
+    Spare classes, which go at once, make room in it for those that the window derives: it never shrinks.
     """
     for name in QT:
         __import__(f"PySide6.{name}", None, None, ("*",), 0)
+    for number in range(_SPARE):
+        type(f"Spare{number}", (QObject,), {})
 
 
 class Loader(QObject):
