@@ -11,7 +11,7 @@ from gearstudio.design.reading import design_tables
 from gearstudio.errors import DesignError, FileError, Issue
 from gearstudio.files import read_bytes, write_text
 from gearstudio.presets import PRESETS_BY_KEY
-from gearstudio.validation import read_design
+from gearstudio.validation import PATIENCE_S, read_design
 
 PRESET_PREFIX = "preset:"
 LARGEST_FILE = 1_000_000
@@ -39,8 +39,8 @@ def open_design(name: str) -> Design:
     return PRESETS_BY_KEY[key].design
 
 
-def load_design(path: str | Path) -> Design:
-    """Read a design file.
+def load_design(path: str | Path, patience_s: float = PATIENCE_S) -> Design:
+    """Read a design file; ``patience_s`` as of `validation.check`.
 
     Raises
     ------
@@ -57,7 +57,7 @@ def load_design(path: str | Path) -> Design:
         raise FileError(path, f"{len(content) / 1e6:.3g} MB is too large for a design file; the most is 1 MB")
     data = design_tables(content, path)
     missing = [] if "format" in data else [Issue("no_format", "format", _NO_FORMAT)]
-    design, issues = read_design(data)
+    design, issues = read_design(data, patience_s)
     if design is None or missing:
         raise DesignError([*missing, *(issue for issue in issues if issue.severity == "error")], path)
     return design

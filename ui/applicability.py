@@ -9,7 +9,7 @@ from gearstudio.design import all_field_specs, field_specs
 from ui.explain import title_in_text
 from ui.formatting import choice_title
 from ui.offset_fields import depth_hints, idle_by_offset
-from ui.units import shown_text
+from ui.units import factor, from_shown, shown_text, to_shown
 from ui.words import tr
 
 if TYPE_CHECKING:
@@ -52,7 +52,8 @@ def derived_hints(design: Design, pair: PairGeometry) -> dict[str, str]:
 
 
 def _hint(millimetres: float) -> str:
-    return shown_text(round(millimetres, 3), "mm")
+    places = 3 if factor("mm") == 1 else 5
+    return shown_text(from_shown(round(to_shown(millimetres, "mm"), places), "mm"), "mm")
 
 
 def _blank_hints(design: Design, member: MemberGeometry) -> dict[str, str]:

@@ -9,6 +9,7 @@ from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QMainWindow, QMenu
 
 from ui.actions import TIP
+from ui.mnemonics import APART
 
 ARROW = " ▸ "
 
@@ -55,7 +56,7 @@ def commands_of(window: QMainWindow) -> list[Entry]:
 
 def plain(text: str) -> str:
     """Words of a menu without the mark of the key and the dots: ``&Open design…`` is "Open design"."""
-    return text.replace("&&", "\0").replace("&", "").replace("\0", "&").removesuffix("…")
+    return APART.sub("", text).replace("&&", "\0").replace("&", "").replace("\0", "&").removesuffix("…")
 
 
 def _walk(menu: QMenu, place: str) -> Iterator[Entry]:

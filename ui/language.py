@@ -52,31 +52,29 @@ class Language:
 
     def __init__(self, application: QCoreApplication, language: str = "") -> None:
         self._application = application
-        self._translators = install(application, language) if language else ()
+        if language:
+            install(application, language)
         self.spoken = spoken()
 
     def speak(self, language: str) -> None:
         """Take the words of another language; windows that exist keep theirs."""
-        for translator in self._translators:
-            self._application.removeTranslator(translator)
-            translator.deleteLater()
-        self._translators = install(self._application, language)
+        install(self._application, language)
         self.spoken = language
 
 
-def install(application: QCoreApplication, language: str) -> tuple[QTranslator, ...]:
-    """Let the application speak a language (``"de"``, ``"zh"``; ``"en"`` needs nothing); before there is a window."""
+def install(application: QCoreApplication, language: str) -> None:
+    """Let the application speak this language alone (``"de"``, ``"zh"``; ``"en"`` needs no translator)."""
+    for translator in application.findChildren(QTranslator):
+        application.removeTranslator(translator)
+        translator.deleteLater()
     application.setProperty(_SPOKEN, language)
     if language == ENGLISH:
-        return ()
-    made = []
+        return
     qt_folder = QLibraryInfo.path(QLibraryInfo.LibraryPath.TranslationsPath)
     ours = [name for name in (_QT_LACKS.get(language), f"gearstudio_{language}") if name is not None]
     for name, folder in ((_QT[language], qt_folder), *((name, str(FOLDER)) for name in ours)):
         translator = QTranslator(application)
         if translator.load(name, folder):
             application.installTranslator(translator)
-            made.append(translator)
         else:
             log.warning("no translation %s in %s", name, folder)
-    return tuple(made)

@@ -9,7 +9,7 @@ from string import ascii_uppercase
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QAbstractButton
 
-_APART = re.compile(r"\(&(.)\)")
+APART = re.compile(r"\(&(.)\)")
 """The mark of languages without letters of their own: 保存(&S)."""
 _WORD = re.compile(r"[^\W\d_]+")
 
@@ -34,7 +34,7 @@ def distinct(texts: Sequence[str]) -> list[str]:
     for number, text in enumerate(texts):
         if not mark(text) or keepers[number]:
             continue
-        apart = _APART.search(text)
+        apart = APART.search(text)
         letters = ascii_uppercase if apart else _letters(text)
         letter = next((one for one in letters if one.upper() not in taken), "")
         taken.add(letter.upper())

@@ -23,6 +23,8 @@ LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
 RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 ROW_HEIGHT = 24
 _INDENT = 8
+_NARROWEST = 0.8
+"""Words that are too wide for their column are drawn as narrow as this before they are cut."""
 
 
 def quieten(table: QTableView) -> None:
@@ -92,5 +94,7 @@ class RichDelegate(QStyledItemDelegate):
         painter.setFont(option.font)
         painter.setClipRect(option.rect)
         top = round(option.rect.center().y() + 1 - option.fontMetrics.height() / 2)
-        painter.drawStaticText(option.rect.left() + _INDENT, top, text)
+        painter.translate(option.rect.left() + _INDENT, top)
+        painter.scale(min(max((option.rect.width() - _INDENT) / text.size().width(), _NARROWEST), 1.0), 1.0)
+        painter.drawStaticText(0, 0, text)
         painter.restore()

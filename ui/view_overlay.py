@@ -191,6 +191,10 @@ class ScaleBar(_Overlay):
             self.resize(round(room) + 10, 30)
             self.update()
 
+    def show_units(self) -> None:
+        """Mark a round length of the unit chosen."""
+        self.update()
+
     @property
     def length(self) -> float:
         """That is marked, in the unit shown [mm or in]."""

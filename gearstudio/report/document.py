@@ -142,7 +142,7 @@ def _facts(content: Content) -> tuple[tuple[str, str], ...]:
     )  # fmt: skip
     return (
         (tr("Pair"), _pair_words(d)),
-        (tr("Teeth"), tr(
+        (tr("Tooth form"), tr(
             "{curve}, spiral angle {spiral}° ({place}), pressure angle {pressure}° ({kind})",
             curve=tr(choice_title(d.lengthwise.curve)), spiral=number(d.lengthwise.spiral_angle_deg),
             place=inline(choice_title(d.lengthwise.spiral_angle_at)), pressure=number(d.pair.pressure_angle_deg),

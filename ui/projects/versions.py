@@ -18,6 +18,9 @@ from ui.projects.snapshot import Snapshot
 from ui.session import flatten, nest
 from ui.words import told, tr
 
+NO_PATIENCE = 0.0
+"""What is wrong is enough to choose by; remedies are looked for when it is opened [s]."""
+
 
 @dataclass(frozen=True)
 class Version:
@@ -72,33 +75,34 @@ def saved_version(path: Path | None) -> Version:
     except OSError:
         return Version(None, None, (tr("the file is gone"),))
     try:
-        return judged(when, flatten(load_design(path)))
+        design = load_design(path, NO_PATIENCE)
     except DesignError as error:
         return Version(when, None, tuple(map(problem_line, error.issues)))
     except FileError as error:
         return Version(when, None, (told(error.reason),))
+    return Version(when, flatten(design), _geometry_problems(design))
 
 
 def recovered_version(snapshot: Snapshot) -> Version:
     """What autosave kept; fields that this program does not know are left out, missing ones take their default."""
-    default = flatten(Design())
-    known = {field: value for field, value in snapshot.draft.items() if field in default}
-    return judged(snapshot.written, {**default, **known})
-
-
-def judged(when: datetime, draft: Mapping[str, Any]) -> Version:
-    """A draft with what is wrong with it."""
-    from gearstudio.theory.cones import pair_geometry
     from gearstudio.validation import read_design
 
-    design, issues = read_design(nest(draft))
+    default = flatten(Design())
+    known = {field: value for field, value in snapshot.draft.items() if field in default}
+    draft = {**default, **known}
+    design, issues = read_design(nest(draft), NO_PATIENCE)
     problems = tuple(problem_line(issue) for issue in issues if issue.severity == "error")
-    if design is not None and not problems:
-        try:
-            pair_geometry(design)
-        except GeometryError as error:
-            problems = (told(error),)
-    return Version(when, draft, problems)
+    return Version(snapshot.written, draft, problems or _geometry_problems(design or Design()))
+
+
+def _geometry_problems(design: Design) -> tuple[str, ...]:
+    from gearstudio.theory.cones import pair_geometry
+
+    try:
+        pair_geometry(design)
+    except GeometryError as error:
+        return (told(error),)
+    return ()
 
 
 def changed_fields(one: Mapping[str, Any] | None, other: Mapping[str, Any] | None) -> list[str]:

@@ -3196,10 +3196,6 @@
    <translation>Jetzt: {value}</translation>
   </message>
   <message>
-   <source>Number</source>
-   <translation>Anzahl</translation>
-  </message>
-  <message>
    <source>Number of faces of the solid</source>
    <translation>Anzahl der Flächen des Körpers</translation>
   </message>
@@ -4564,6 +4560,10 @@
    <translation>Stahl</translation>
   </message>
   <message>
+   <source>Steps</source>
+   <translation>Stufen</translation>
+  </message>
+  <message>
    <source>Stop making the report</source>
    <translation>Bericht nicht weiter erstellen</translation>
   </message>
@@ -5324,6 +5324,10 @@
   <message>
    <source>Tooth ends</source>
    <translation>Zahnenden</translation>
+  </message>
+  <message>
+   <source>Tooth form</source>
+   <translation>Zahnform</translation>
   </message>
   <message>
    <source>Tooth profile</source>

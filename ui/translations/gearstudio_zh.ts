@@ -3196,10 +3196,6 @@
    <translation>当前：{value}</translation>
   </message>
   <message>
-   <source>Number</source>
-   <translation>数量</translation>
-  </message>
-  <message>
    <source>Number of faces of the solid</source>
    <translation>实体的面数</translation>
   </message>
@@ -4564,6 +4560,10 @@
    <translation>钢</translation>
   </message>
   <message>
+   <source>Steps</source>
+   <translation>级数</translation>
+  </message>
+  <message>
    <source>Stop making the report</source>
    <translation>停止生成报告</translation>
   </message>
@@ -5324,6 +5324,10 @@
   <message>
    <source>Tooth ends</source>
    <translation>齿端</translation>
+  </message>
+  <message>
+   <source>Tooth form</source>
+   <translation>齿形</translation>
   </message>
   <message>
    <source>Tooth profile</source>

@@ -128,7 +128,7 @@ class DisplayPanel(QFrame):
         ]
         self._choose("colors", tr("Colours"), colors, tr("All can be told apart by colour-blind eyes"))
         steps = [(count, tr("Smooth") if count == 0 else tr("{count} steps", count=count)) for count in STEPS]
-        self._choose("steps", tr("Number"), steps, tr("How many colours"))
+        self._choose("steps", tr("Steps"), steps, tr("How many colours"))
         units = [("auto", tr("Automatic")), ("um", "µm"), ("nm", "nm"), ("uin", "µin")]
         self._choose("unit", tr("Unit"), units, tr("Unit of deviations on the colour scale and in the views"))
         tip = tr("Draw the CAD flanks with their deviation so many times as large, along the normal")

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import QSignalBlocker, Qt, Signal
+from PySide6.QtCore import QSignalBlocker, QSize, Qt, Signal
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QSlider, QWidget
+
+_SLACK = 6
 
 
 class QuietChoice(QComboBox):
@@ -28,6 +30,14 @@ class QuietChoice(QComboBox):
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
         self.activated.connect(lambda index: self.chosen.emit(self.itemData(index)))
+
+    def sizeHint(self) -> QSize:
+        """A little wider than Qt's: letters of another script than the font's own are measured too small."""
+        return super().sizeHint() + QSize(_SLACK, 0)
+
+    def minimumSizeHint(self) -> QSize:
+        """The same: no word is cut."""
+        return self.sizeHint()
 
     def show_choice(self, identifier: object) -> None:
         """Show a choice without announcing it."""
