@@ -84,10 +84,10 @@ class FormErrors:
 
 @dataclass(frozen=True)
 class NamedError:
-    """An error of a flank by its name; ``of`` reads it from shape and pitch, in the unit."""
+    """An error of a flank by its name; ``of`` reads it from shape and pitch, in the unit: None where there is none."""
 
     title: str
-    of: Callable[[FormErrors, PitchErrors], float]
+    of: Callable[[FormErrors, PitchErrors], float | None]
     unit: str = "µm"
 
 
@@ -98,8 +98,8 @@ NAMED_ERRORS = (
     NamedError("Lengthwise crown", lambda form, _: form.lengthwise_crown_um),
     NamedError("Profile crown", lambda form, _: form.profile_crown_um),
     NamedError("Bias", lambda form, _: form.bias_um),
-    NamedError("Pitch, single", lambda _, pitch: pitch.largest_single_um),
-    NamedError("Pitch, total", lambda _, pitch: pitch.total_um),
+    NamedError("Pitch, single", lambda _, pitch: pitch.largest_single_um if len(pitch.tooth) > 1 else None),
+    NamedError("Pitch, total", lambda _, pitch: pitch.total_um if len(pitch.tooth) > 1 else None),
 )
 
 

@@ -18,7 +18,7 @@ from gearstudio.report.measuring import Measured
 from gearstudio.report.store import Store
 from gearstudio.theory.flank import FLANKS, FlankName
 
-Read = Callable[[FlankName], float]
+Read = Callable[[FlankName], float | None]
 _NOTHING = "–"
 
 
@@ -87,7 +87,8 @@ def _flanks(result: MeasurementResult) -> list[tuple[str, ...]]:
 
     def row(title: str, read: Read, unit: str = "µm") -> tuple[str, ...]:
         spec = ".5f" if unit == "°" else ".2f"
-        return (title, *(number(read(name), spec) if name in form else _NOTHING for name in FLANKS), unit)
+        values = (read(name) if name in form else None for name in FLANKS)
+        return (title, *(_NOTHING if value is None else number(value, spec) for value in values), unit)
 
     def named(error: NamedError) -> tuple[str, ...]:
         return row(tr(error.title), lambda name: error.of(form[name], pitch[name]), error.unit)

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 from gearstudio.analysis.measurement import MeasuredPoints, MeasurementResult, measure
+from gearstudio.analysis.measurement_errors import NAMED_ERRORS
 from gearstudio.analysis.measurement_fit import azimuth_lever, places, turned_back
 from gearstudio.catalogue import MEMBERS
 from gearstudio.design import Design, with_field
@@ -195,6 +196,16 @@ def test_pitch_errors_come_back() -> None:
         assert pitch.single_um == pytest.approx(index - np.roll(index, 1), abs=0.02)
         assert pitch.total_um == pytest.approx(np.ptp(index), abs=0.02)
     assert_found(result, made)
+
+
+@pytest.mark.parametrize("teeth", [1, 2])
+def test_one_tooth_alone_has_no_pitch_to_name(teeth: int) -> None:
+    result = measure(PAIR, "wheel", part(PAIR.wheel, range(teeth)).measured())
+    for flank in FLANKS:
+        values = {error.title: error.of(result.form[flank], result.pitch[flank]) for error in NAMED_ERRORS}
+        assert {title for title, value in values.items() if value is None} == (
+            {"Pitch, single", "Pitch, total"} if teeth == 1 else set()
+        )
 
 
 def test_pitch_errors_of_some_teeth() -> None:

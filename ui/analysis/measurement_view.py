@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gearstudio.analysis.measurement import MeasurementResult
-from gearstudio.analysis.measurement_errors import NAMED_ERRORS
+from gearstudio.analysis.measurement_errors import NAMED_ERRORS, NamedError
 from gearstudio.analysis.nets import cell_means
 from gearstudio.theory.cones import MemberGeometry
 from gearstudio.theory.flank import FLANKS, FlankName
@@ -129,8 +129,11 @@ def statistics_rows(measurement: Measurement) -> list[tuple[str, str]]:
 def error_rows(measurement: Measurement) -> list[tuple[str, ...]]:
     """Named errors [µm]: name, concave, convex."""
     form, pitch = measurement.result.form, measurement.result.pitch
+
+    def text(error: NamedError, flank: FlankName) -> str:
+        value = error.of(form[flank], pitch[flank]) if flank in form else None
+        return "–" if value is None else fixed(value, 2)
+
     return [
-        (tr(error.title), *(fixed(error.of(form[f], pitch[f]), 2) if f in form else "–" for f in FLANKS))
-        for error in NAMED_ERRORS
-        if error.unit == "µm"
+        (tr(error.title), *(text(error, flank) for flank in FLANKS)) for error in NAMED_ERRORS if error.unit == "µm"
     ]
