@@ -1325,7 +1325,7 @@
   </message>
   <message>
    <source>Copy &amp;derived values</source>
-   <translation>复制导出值(&amp;D)</translation>
+   <translation>复制推导值(&amp;D)</translation>
   </message>
   <message>
    <source>Copy &amp;diagnostics</source>
@@ -1369,7 +1369,7 @@
   </message>
   <message>
    <source>Copy the derived values as text</source>
-   <translation>将导出值复制为文本</translation>
+   <translation>将推导值复制为文本</translation>
   </message>
   <message>
    <source>Copy the entries that are shown</source>
@@ -1561,11 +1561,11 @@
   </message>
   <message>
    <source>Derived values</source>
-   <translation>导出值</translation>
+   <translation>推导值</translation>
   </message>
   <message>
    <source>Derived values of both members</source>
-   <translation>两轮的导出值</translation>
+   <translation>两轮的推导值</translation>
   </message>
   <message>
    <source>Design</source>
@@ -2641,7 +2641,7 @@
   </message>
   <message>
    <source>Leave it empty to use the derived value shown in grey.</source>
-   <translation>留空则采用灰色显示的导出值。</translation>
+   <translation>留空则采用灰色显示的推导值。</translation>
   </message>
   <message>
    <source>Leave out what both designs have in common</source>
@@ -3525,11 +3525,11 @@
   </message>
   <message>
    <source>Parameters and derived values beside those of another design</source>
-   <translation>参数和导出值与另一设计并列</translation>
+   <translation>参数和推导值与另一设计并列</translation>
   </message>
   <message>
    <source>Parameters and derived values of both designs</source>
-   <translation>两个设计的参数和导出值</translation>
+   <translation>两个设计的参数和推导值</translation>
   </message>
   <message>
    <source>Parameters that differ</source>
@@ -5771,7 +5771,7 @@
   </message>
   <message>
    <source>With {value} no derived value would change.</source>
-   <translation>取 {value} 时导出值均不变。</translation>
+   <translation>取 {value} 时推导值均不变。</translation>
   </message>
   <message>
    <source>With {value}:</source>
@@ -6031,7 +6031,7 @@
   </message>
   <message>
    <source>derived</source>
-   <translation>导出</translation>
+   <translation>推导</translation>
   </message>
   <message>
    <source>deviation</source>
